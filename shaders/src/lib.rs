@@ -1,0 +1,1 @@
+//! WGSL sources and their CPU twins; they come with the renderer.

@@ -1,0 +1,1 @@
+//! Headless rendering of tonal art maps; its passes come with the renderer.
