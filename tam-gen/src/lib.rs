@@ -9,12 +9,19 @@
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
 pub mod error;
+mod generate;
 pub mod job;
 pub mod map;
+mod placement;
 pub mod preset;
+pub mod raster;
+mod realise;
+pub mod sequence;
 pub mod stroke;
+mod tail;
 
 pub use error::GenerateError;
+pub use generate::{Generator, generate, tone_tolerance};
 pub use job::Job;
 pub use map::{Closing, Deficit, DeficitCause, Family, Grid, Level, Map, StrokeList, StrokeMap, ThresholdLevel};
 pub use preset::Preset;
