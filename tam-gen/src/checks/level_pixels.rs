@@ -8,6 +8,8 @@ use crate::measure::{self, LevelNesting};
 const PART_OF_CONTROL: f64 = 0.05;
 /// Control below which a pair of images says nothing: they are so dark that any texel finds ink.
 const LEAST_CONTROL: f64 = 0.02;
+/// Fewest texels that unrelated images must lose: one lost by bad luck is then half the limit.
+const LEAST_LOST: f64 = 40.0;
 
 /// For each level but the finest, lost texels over those lost by chance, pooled over the lighter half of the columns as far
 /// as their control says something. Half ink is half of the coarser level's typical full ink.
@@ -21,7 +23,10 @@ pub(super) fn check(subject: &Subject) -> Finding {
         cells.extend(judge_pair(subject, level + 1, &pair[1], &pair[0]));
     }
     if cells.is_empty() {
-        return Finding::not_judged(constraint, "even unrelated images would pass: the strokes are too dense");
+        return Finding::not_judged(
+            constraint,
+            "strokes are too dense or too few: unrelated images would nest as well",
+        );
     }
     Finding::of_cells(constraint, "of control", cells, |worst| {
         let place = subject.place(worst.level, worst.column);
@@ -32,7 +37,7 @@ pub(super) fn check(subject: &Subject) -> Finding {
 fn judge_pair(subject: &Subject, level: usize, coarse: &Level, fine: &Level) -> Vec<CellFinding> {
     let half_ink = subject.half_ink(level);
     let width = measure::stroke_width(&fine.cells[0], fine.size, measure::full_ink(&fine.cells[0]), |_, _| true);
-    let reach = measure::level_nesting_reach(width.width_px);
+    let reach = measure::level_nesting_reach(width.median_px);
     let of = |column: usize| {
         measure::level_nesting(&coarse.cells[column], coarse.size, &fine.cells[column], half_ink, reach)
     };
@@ -42,7 +47,10 @@ fn judge_pair(subject: &Subject, level: usize, coarse: &Level, fine: &Level) -> 
         .filter(|(_, nesting)| nesting.control() >= LEAST_CONTROL)
         .collect();
     let sum = |part: fn(&LevelNesting) -> usize| judged.iter().map(|(_, nesting)| part(nesting)).sum::<usize>() as f64;
-    let pooled = sum(|nesting| nesting.lost) / sum(|nesting| nesting.lost_by_chance).max(1.0);
+    if sum(|nesting| nesting.lost_by_chance) < LEAST_LOST {
+        return Vec::new();
+    }
+    let pooled = sum(|nesting| nesting.lost) / sum(|nesting| nesting.lost_by_chance);
     let limit = Limit::AtMost(PART_OF_CONTROL);
     let cell = |(column, nesting): &(usize, LevelNesting)| {
         let part = nesting.lost as f64 / nesting.lost_by_chance.max(1) as f64;

@@ -67,7 +67,10 @@ pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLi
             *least = ink.min(*least);
         }
         for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) == column) {
-            let judged = for_each_sample(stroke, strokes, size, |texel, floor| {
+            let options = &strokes.families[usize::from(stroke.family)].stroke;
+            found.skipped += usize::from(options.tip.is_some());
+            for_each_sample(stroke, options, size, |texel, slope| {
+                let Some(floor) = centre_line_floor(stroke, slope, options) else { return };
                 found.samples += 1;
                 if f64::from(least_ink[texel]) < floor {
                     found.missing += 1;
@@ -76,7 +79,6 @@ pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLi
                     }
                 }
             });
-            found.skipped += usize::from(!judged);
         }
     }
     found
@@ -88,11 +90,23 @@ pub fn missing_centre_lines(grid: &Grid, strokes: &StrokeList, level: usize, col
     let mut missing = vec![false; ink.len()];
     let first = lightest_whole(strokes, level);
     for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) <= column) {
-        for_each_sample(stroke, strokes, grid.levels[level].size, |texel, floor| {
-            missing[texel] |= f64::from(ink[texel]) < floor;
+        let options = &strokes.families[usize::from(stroke.family)].stroke;
+        for_each_sample(stroke, options, grid.levels[level].size, |texel, slope| {
+            let floor = centre_line_floor(stroke, slope, options);
+            missing[texel] |= floor.is_some_and(|floor| f64::from(ink[texel]) < floor);
         });
     }
     missing
+}
+
+/// The texels, of an image of some size, on the centre lines of strokes, further than tapers and one texel from their ends.
+pub fn on_centre_lines(strokes: &StrokeList, size: u32, select: impl Fn(usize) -> bool) -> Vec<bool> {
+    let mut on_line = vec![false; size as usize * size as usize];
+    for (_, stroke) in strokes.strokes.iter().enumerate().filter(|(i, _)| select(*i)) {
+        let options = &strokes.families[usize::from(stroke.family)].stroke;
+        for_each_sample(stroke, options, size, |texel, _| on_line[texel] = true);
+    }
+    on_line
 }
 
 /// For each stroke the lightest column in which this level or a coarser one draws it whole.
@@ -106,9 +120,8 @@ fn lightest_whole(strokes: &StrokeList, level: usize) -> Vec<u8> {
     lightest
 }
 
-/// Calls `visit` with the texel of each sample and the ink it must have; false if the stroke cannot be judged.
-fn for_each_sample(stroke: &Stroke, strokes: &StrokeList, size: u32, mut visit: impl FnMut(usize, f64)) -> bool {
-    let options = &strokes.families[usize::from(stroke.family)].stroke;
+/// Calls `visit` with the texel of each sample and the slope of the stroke there.
+fn for_each_sample(stroke: &Stroke, options: &StrokeOptions, size: u32, mut visit: impl FnMut(usize, f64)) {
     let side = size as i64;
     let texel_of = |along: i64, across_uv: f64| {
         let across = ((across_uv * f64::from(size)).floor() as i64).rem_euclid(side);
@@ -120,10 +133,9 @@ fn for_each_sample(stroke: &Stroke, strokes: &StrokeList, size: u32, mut visit: 
     };
     let (start, length) = (f64::from(stroke.start_uv), f64::from(stroke.along_uv));
     if stroke.along_uv == 0.0 {
-        let Some(floor) = centre_line_floor(stroke, 0.0, options) else { return false };
         let along = ((start * f64::from(size)).floor() as i64).rem_euclid(side);
-        visit(texel_of(along, f64::from(stroke.across_at(0.0))), floor);
-        return true;
+        visit(texel_of(along, f64::from(stroke.across_at(0.0))), 0.0);
+        return;
     }
     let texel_uv = 1.0 / f64::from(size);
     // One texel clears a butt or round end; strokes wider than two texels have ends as long as half their width.
@@ -135,10 +147,8 @@ fn for_each_sample(stroke: &Stroke, strokes: &StrokeList, size: u32, mut visit: 
     for along in (begin - 0.5).ceil() as i64..=(end - 0.5).floor() as i64 {
         let t = ((along as f64 + 0.5) * texel_uv - start) / length;
         let slope = f64::from(stroke.slope_at(t as f32));
-        let Some(floor) = centre_line_floor(stroke, slope, options) else { return false };
-        visit(texel_of(along.rem_euclid(side), across_at(stroke, t)), floor);
+        visit(texel_of(along.rem_euclid(side), across_at(stroke, t)), slope);
     }
-    options.tip.is_none()
 }
 
 /// [`Stroke::across_at`] in double precision, so that a sample near the border of a texel does not change sides.

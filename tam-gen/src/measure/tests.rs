@@ -104,7 +104,7 @@ fn stroke_width_is_that_of_lines_of_known_width_at_any_angle() {
                 let found = stroke_width(&ink, SIZE, full_ink(&ink), |_, _| true);
                 // Strokes of less than a texel and a half never or seldom cover one; see the function's own accuracy.
                 let tolerance = if width_px < 1.5 { 0.45 } else { 0.15 };
-                let error = found.width_px - f64::from(width_px);
+                let error = found.median_px - f64::from(width_px);
                 assert!(error.abs() < tolerance, "width {width_px}, slope {slope}, {axis:?}: {found:?}");
             }
         }
@@ -115,7 +115,7 @@ fn stroke_width_is_that_of_lines_of_known_width_at_any_angle() {
 fn stroke_width_grows_with_the_strokes() {
     let median = |width_px| {
         let ink = image_of(&[line(0.2, 0.2, Axis::X, width_px), line(0.7, 0.2, Axis::X, width_px)], SIZE);
-        stroke_width(&ink, SIZE, full_ink(&ink), |_, _| true).width_px
+        stroke_width(&ink, SIZE, full_ink(&ink), |_, _| true).median_px
     };
     for width_px in [1.6, 2.0, 3.0] {
         assert!(median(1.25 * width_px) > 1.12 * median(width_px), "{width_px}");

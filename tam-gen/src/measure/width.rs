@@ -10,8 +10,10 @@ use std::f64::consts::PI;
 /// The width of the strokes of an image.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrokeWidth {
-    /// Width in texels: the lower quartile over the texels measured; 0 where there were none.
-    pub width_px: f64,
+    /// Median width in texels; 0 where nothing was measured.
+    pub median_px: f64,
+    /// Lower quartile of the same: where strokes touch or overlap, chords only ever grow.
+    pub lower_px: f64,
     /// Number of texels it was measured at.
     pub samples: usize,
 }
@@ -21,7 +23,7 @@ const DIRECTIONS: usize = 16;
 /// Step along a chord, in texels.
 const STEP_PX: f64 = 0.25;
 /// Most texels measured per image; more are thinned evenly.
-const SAMPLES: usize = 1024;
+const SAMPLES: usize = 256;
 /// Longest chord looked for at first, in texels.
 const FIRST_LIMIT_PX: f64 = 8.0;
 /// A chord ends where the ink falls below this part of full ink: paper.
@@ -29,8 +31,8 @@ const PAPER: f64 = 0.02;
 /// A chord ends in the valley before ink that rises by this part of full ink again: the next stroke.
 const RISE: f64 = 0.1;
 
-/// Lower quartile over texels of the ink along the chord through them, over `full_ink`, in that of 16 directions in which
-/// it is least. The quartile, not the median: where strokes touch or overlap, chords only ever grow.
+/// Median over texels of the ink along the chord through them, over `full_ink`, in that of 16 directions in which it is
+/// least.
 ///
 /// Only texels of at least half of `full_ink` (see [`super::full_ink`]) for which `select(x, y)` holds. Chords run through
 /// the bilinearly filtered image to paper or to the valley before the next stroke, and are cut at the size of the tile.
@@ -53,7 +55,8 @@ pub fn stroke_width(ink: &[u8], size: u32, full_ink: u8, select: impl Fn(u32, u3
         .map(|&(x, y)| least_chord(&image, (f64::from(x), f64::from(y)), &directions))
         .collect();
     widths.sort_by(f64::total_cmp);
-    StrokeWidth { width_px: widths.get(widths.len() / 4).copied().unwrap_or(0.0), samples: widths.len() }
+    let quantile = |i: usize| widths.get(i).copied().unwrap_or(0.0);
+    StrokeWidth { median_px: quantile(widths.len() / 2), lower_px: quantile(widths.len() / 4), samples: widths.len() }
 }
 
 fn least_chord(image: &Bilinear, centre: (f64, f64), directions: &[(f64, f64)]) -> f64 {
