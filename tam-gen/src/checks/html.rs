@@ -120,16 +120,20 @@ fn failure(finding: &Finding, grid: &Grid, stroke_map: Option<&StrokeMap>) -> Ma
 fn pair(finding: &Finding, cell: &CellFinding, grid: &Grid, stroke_map: Option<&StrokeMap>) -> Markup {
     let Some(level) = grid.levels.get(cell.level) else { return html! {} };
     let Some(ink) = level.cells.get(cell.column) else { return html! {} };
-    let window = Window::around(&cell.texels, level.size, WINDOW);
+    // A tone is that of the whole image; texels are seen when enlarged.
+    let whole = matches!(finding.constraint, Constraint::ToneAverage | Constraint::ToneSpread);
+    let side = if whole { level.size } else { WINDOW };
+    let class = if whole { "whole" } else { "enlarged" };
+    let window = Window::around(&cell.texels, level.size, side);
     let measured = with_unit(number(cell.measured), finding.unit);
     let caption =
         format!("level {} ({} px), column {}: {measured}, limit {}", cell.level, level.size, cell.column, cell.limit);
     html! {
         div.pair {
-            (figure(ink, level.size, window, &cell.texels, &caption))
+            (figure(ink, level.size, window, &cell.texels, &caption, class))
             @if let Some(other) = companion(finding.constraint, cell, grid, stroke_map) {
                 @let window = other.window(window, level.size);
-                (figure(&other.ink, other.size, window, &[], &other.caption))
+                (figure(&other.ink, other.size, window, &[], &other.caption, class))
             }
         }
     }
@@ -195,11 +199,11 @@ fn thresholded(map: &StrokeMap, level: usize, threshold: u8) -> Option<Companion
     Some(Companion { ink, size: level.size, caption, same_texels: false })
 }
 
-fn figure(ink: &[u8], size: u32, window: Window, texels: &[u32], caption: &str) -> Markup {
+fn figure(ink: &[u8], size: u32, window: Window, texels: &[u32], caption: &str, class: &str) -> Markup {
     let place = window.describe(size);
     html! {
         figure {
-            img.enlarged src=(png(ink, size, window, texels)) alt=(caption);
+            img class=(class) src=(png(ink, size, window, texels)) alt=(caption);
             figcaption { (caption) @if !place.is_empty() { br; span.unit { (place) } } }
         }
     }

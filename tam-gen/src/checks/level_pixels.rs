@@ -29,6 +29,9 @@ pub(super) fn check(subject: &Subject) -> Finding {
         );
     }
     Finding::of_cells(constraint, "of control", cells, |worst| {
+        if worst.measured == 0.0 {
+            return "every inked texel has its stroke in the next finer level".into();
+        }
         let place = subject.place(worst.level, worst.column);
         format!("{place}: inked texels without a stroke in level {}", worst.level - 1)
     })

@@ -254,7 +254,9 @@ pub(super) fn with_unit(text: String, unit: &str) -> String {
 pub(super) fn number(number: f64) -> String {
     let size = number.abs();
     let text = match size {
-        _ if number == 0.0 || !number.is_finite() => return format!("{number}"),
+        _ if !number.is_finite() => return format!("{number}"),
+        // What is left of rounding in double precision.
+        _ if size < 1e-12 => return "0".into(),
         _ if size < 1e-3 => return format!("{number:.1e}"),
         _ if size < 1.0 => format!("{number:.4}"),
         _ if size < 100.0 => format!("{number:.2}"),

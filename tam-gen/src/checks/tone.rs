@@ -35,7 +35,7 @@ pub(super) fn spread(subject: &Subject) -> Finding {
         return Finding::not_judged(Constraint::ToneSpread, "there is only one level");
     }
     let mut cells = Vec::new();
-    for column in 0..subject.grid.columns() {
+    for (column, _) in subject.grid.tones.iter().enumerate() {
         let tone = |level: &usize| tones[*level][column];
         let by_tone = |a: &usize, b: &usize| tone(a).total_cmp(&tone(b));
         let (lightest, darkest) = ((0..drawn).min_by(by_tone).unwrap_or(0), (0..drawn).max_by(by_tone).unwrap_or(0));
@@ -48,7 +48,7 @@ pub(super) fn spread(subject: &Subject) -> Finding {
     }
     Finding::of_cells(Constraint::ToneSpread, "", cells, |worst| {
         let place = subject.place(worst.level, worst.column);
-        format!("{place} stands out with tone {:.5}", tones[worst.level][worst.column])
+        format!("{place} has tone {:.5}, furthest from the rest of its column", tones[worst.level][worst.column])
     })
 }
 

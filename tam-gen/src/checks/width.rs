@@ -92,7 +92,9 @@ fn widths_on_lines(
 /// The texels of a cell that lie near more than one of its strokes.
 fn crowded(subject: &Subject, strokes: &StrokeList, level: usize, column: usize) -> Vec<bool> {
     let size = subject.grid.levels[level].size;
-    let mut near = vec![0_u8; (size * size) as usize];
+    let texels = (size * size) as usize;
+    // The last stroke near each texel, from 1 on.
+    let (mut near, mut crowded) = (vec![0; texels], vec![false; texels]);
     let closing = &strokes.closing[level][column];
     for (i, stroke) in strokes.strokes.iter().enumerate() {
         let drawn = usize::from(strokes.first_column[level][i]) <= column;
@@ -100,20 +102,19 @@ fn crowded(subject: &Subject, strokes: &StrokeList, level: usize, column: usize)
             continue;
         }
         // A stroke ends half its width from its line, and so does its neighbour; a texel and more is paper between.
-        let reach = ((stroke.width_px + 1.0).ceil() as u32).min(size / 2);
-        let on_line = measure::on_centre_lines(strokes, size, |other| other == i);
-        let mut near_this = vec![false; near.len()];
-        for texel in (0..size * size).filter(|&texel| on_line[texel as usize]) {
-            for dy in 0..=2 * reach {
-                for dx in 0..=2 * reach {
-                    let (x, y) = (texel % size + size + dx - reach, texel / size + size + dy - reach);
-                    near_this[(y % size * size + x % size) as usize] = true;
+        let reach = ((stroke.width_px + 1.0).ceil() as usize).min(size as usize / 2);
+        let side = size as usize;
+        measure::visit_centre_line(strokes, i, size, |texel, _| {
+            let (left, top) = (texel % side + side - reach, texel / side + side - reach);
+            for y in (top..=top + 2 * reach).map(|y| y % side * side) {
+                for x in (left..=left + 2 * reach).map(|x| x % side) {
+                    crowded[y + x] |= near[y + x] != 0 && near[y + x] != i + 1;
+                    near[y + x] = i + 1;
                 }
             }
-        }
-        near.iter_mut().zip(near_this).for_each(|(near, this)| *near = near.saturating_add(u8::from(this)));
+        });
     }
-    near.into_iter().map(|strokes| strokes > 1).collect()
+    crowded
 }
 
 /// Widths of the levels from the finest to `coarsest` in a column, on the texels that `mask` gives for each level.
@@ -133,5 +134,5 @@ fn widths_where(
     let coarse = measured(&subject.grid.levels[coarsest]);
     let widest = 0.25 * f64::from(subject.grid.levels[coarsest].size);
     (coarse.samples >= SAMPLES && coarse.median_px <= widest)
-        .then(|| subject.grid.levels[..=coarsest].iter().map(measured).collect())
+        .then(|| subject.grid.levels[..coarsest].iter().map(measured).chain([coarse]).collect())
 }

@@ -99,12 +99,18 @@ pub fn missing_centre_lines(grid: &Grid, strokes: &StrokeList, level: usize, col
     missing
 }
 
+/// Calls `visit` with each texel, of an image of some size, on the centre line of a stroke, further than its tapers and one
+/// texel from its ends, and with the slope of the stroke there (across per along).
+pub fn visit_centre_line(strokes: &StrokeList, stroke: usize, size: u32, visit: impl FnMut(usize, f64)) {
+    let stroke = &strokes.strokes[stroke];
+    for_each_sample(stroke, &strokes.families[usize::from(stroke.family)].stroke, size, visit);
+}
+
 /// The texels, of an image of some size, on the centre lines of strokes, further than tapers and one texel from their ends.
 pub fn on_centre_lines(strokes: &StrokeList, size: u32, select: impl Fn(usize) -> bool) -> Vec<bool> {
     let mut on_line = vec![false; size as usize * size as usize];
-    for (_, stroke) in strokes.strokes.iter().enumerate().filter(|(i, _)| select(*i)) {
-        let options = &strokes.families[usize::from(stroke.family)].stroke;
-        for_each_sample(stroke, options, size, |texel, _| on_line[texel] = true);
+    for stroke in (0..strokes.strokes.len()).filter(|stroke| select(*stroke)) {
+        visit_centre_line(strokes, stroke, size, |texel, _| on_line[texel] = true);
     }
     on_line
 }
