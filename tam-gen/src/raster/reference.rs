@@ -123,7 +123,7 @@ fn dots_agree_with_tiny_skia() {
             assert!((ours - theirs).abs() < 0.1, "{ours} against {theirs} at {diameter} px");
         }
         let (ours, theirs): (f32, f32) = (ours.iter().sum(), theirs.iter().sum());
-        assert!((ours / theirs - 1.0).abs() < 0.03, "{ours} against {theirs} at {diameter} px");
+        assert!((ours / theirs - 1.0).abs() < 0.05, "{ours} against {theirs} at {diameter} px");
     }
 }
 
