@@ -8,10 +8,12 @@
 //!
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
+pub mod checks;
 pub mod error;
 mod generate;
 pub mod job;
 pub mod map;
+pub mod measure;
 mod placement;
 pub mod preset;
 pub mod raster;
