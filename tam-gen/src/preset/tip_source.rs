@@ -7,14 +7,6 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use resvg::usvg;
 
-/// A picture that a preset carries.
-pub(crate) enum TipPicture {
-    /// Ink of each texel, 0.0 paper to 1.0 ink, by rows, with width and height.
-    Png(image::DynamicImage),
-    /// A drawing.
-    Svg(Box<usvg::Tree>),
-}
-
 /// Largest picture file of a tip, in bytes.
 pub(crate) const TIP_BYTES_MAX: u64 = 4 << 20;
 
@@ -39,8 +31,8 @@ pub(crate) fn embed(path: &Path) -> Result<String, String> {
     Ok(format!("{address}{}", STANDARD.encode(bytes)))
 }
 
-/// Opens the picture that a `data:` address holds.
-pub(crate) fn open(address: &str) -> Result<TipPicture, String> {
+/// Checks the picture that a `data:` address holds.
+pub(crate) fn check_picture(address: &str) -> Result<(), String> {
     let (text, is_png) = if let Some(text) = address.strip_prefix(PNG_ADDRESS) {
         (text, true)
     } else if let Some(text) = address.strip_prefix(SVG_ADDRESS) {
@@ -55,22 +47,22 @@ pub(crate) fn open(address: &str) -> Result<TipPicture, String> {
     decode(&bytes, is_png)
 }
 
-fn decode(bytes: &[u8], is_png: bool) -> Result<TipPicture, String> {
+fn decode(bytes: &[u8], is_png: bool) -> Result<(), String> {
     if is_png {
         let mut reader = image::ImageReader::with_format(std::io::Cursor::new(bytes), image::ImageFormat::Png);
         let mut limits = image::Limits::default();
         limits.max_image_width = Some(TIP_SIDE_MAX);
         limits.max_image_height = Some(TIP_SIDE_MAX);
         reader.limits(limits);
-        let picture = reader.decode().map_err(|error| format!("is not a usable PNG file: {error}"))?;
-        return Ok(TipPicture::Png(picture));
+        reader.decode().map_err(|error| format!("is not a usable PNG file: {error}"))?;
+        return Ok(());
     }
     let tree = usvg::Tree::from_data(bytes, &svg_options())
         .map_err(|error| format!("is neither a PNG nor a usable SVG file: {error}"))?;
     if !tree.root().has_children() {
         return Err("is an SVG file without anything to draw".to_owned());
     }
-    Ok(TipPicture::Svg(Box::new(tree)))
+    Ok(())
 }
 
 /// Reading of SVG that never follows a link to another file.
@@ -115,7 +107,7 @@ mod tests {
         let png = folder.path().join("tip.png");
         image::GrayImage::new(4, 3).save(&png).expect("a written picture");
         let address = embed(&png).expect("an address");
-        assert!(matches!(open(&address), Ok(TipPicture::Png(picture)) if picture.width() == 4));
+        assert_eq!(check_picture(&address), Ok(()));
 
         let svg = folder.path().join("tip.svg");
         std::fs::write(
@@ -124,7 +116,7 @@ mod tests {
         )
         .expect("a written drawing");
         let address = embed(&svg).expect("an address");
-        assert!(matches!(open(&address), Ok(TipPicture::Svg(_))));
+        assert_eq!(check_picture(&address), Ok(()));
     }
 
     #[test]
@@ -139,7 +131,7 @@ mod tests {
         assert!(embed(&file).is_err());
         assert!(embed(folder.path()).is_err());
         assert!(embed(&folder.path().join("none.png")).is_err());
-        assert!(open("data:image/png;base64,????").is_err());
-        assert!(open("tip.png").is_err());
+        assert!(check_picture("data:image/png;base64,????").is_err());
+        assert!(check_picture("tip.png").is_err());
     }
 }

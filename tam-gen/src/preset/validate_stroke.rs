@@ -106,7 +106,7 @@ fn check_tip(place: &Place, tip: &TipOptions, found: &mut Vec<Violation>) {
             .help("load the preset as a file, and pictures are looked for beside it"),
         ),
         (None, Some(image)) => {
-            if let Err(problem) = tip_source::open(image) {
+            if let Err(problem) = tip_source::check_picture(image) {
                 let problem = format!("the picture of {place} {problem}");
                 found.push(Violation::new(place.key("image"), problem, "a PNG or SVG picture in base64"));
             }
