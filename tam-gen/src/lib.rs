@@ -8,9 +8,11 @@
 //!
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
+pub mod checks;
 pub mod error;
 pub mod job;
 pub mod map;
+pub mod measure;
 pub mod preset;
 pub mod stroke;
 

@@ -1,0 +1,94 @@
+//! Width of strokes, measured on pixels.
+//!
+//! The measure of choice, twice the distance transform on the skeleton, is quantised to texels, too coarse for strokes of
+//! one or two. Its sub-texel equivalent: the shortest chord through an inked texel, which for a straight stroke is its
+//! width wherever in the stroke the texel lies.
+
+use std::f64::consts::PI;
+
+/// The width of the strokes of an image.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrokeWidth {
+    /// Median width in texels; 0 where nothing was measured.
+    pub median_px: f64,
+    /// Number of texels it was measured at.
+    pub samples: usize,
+}
+
+/// Directions of the chords, spread over half a turn; the nearest one is at most 5.6° off, which adds 0.5 %.
+const DIRECTIONS: usize = 16;
+/// Step along a chord, in texels.
+const STEP_PX: f64 = 0.25;
+/// Most texels measured per image; more are thinned evenly.
+const SAMPLES: usize = 1024;
+
+/// Median over texels of the shortest chord through them, among 16 directions.
+///
+/// Only texels of at least half of `full_ink` (see [`super::full_ink`]) for which `select(x, y)` holds. Chords end where
+/// the bilinearly filtered ink falls below that half, and are cut at the size of the tile. Accuracy: 0.1 texels from 1.5
+/// texels on; thinner strokes read up to 0.3 texels too wide, equally at all levels.
+pub fn stroke_width(ink: &[u8], size: u32, full_ink: u8, select: impl Fn(u32, u32) -> bool) -> StrokeWidth {
+    let half_ink = 0.5 * f64::from(full_ink.max(1));
+    let texels: Vec<(u32, u32)> = (0..size)
+        .flat_map(|y| (0..size).map(move |x| (x, y)))
+        .filter(|&(x, y)| f64::from(ink[(y * size + x) as usize]) >= half_ink && select(x, y))
+        .collect();
+    let directions: Vec<(f64, f64)> = (0..DIRECTIONS)
+        .map(|i| PI * i as f64 / DIRECTIONS as f64)
+        .map(|angle| (libm::cos(angle), libm::sin(angle)))
+        .collect();
+    let image = Bilinear { ink, size: size as usize };
+    let mut widths: Vec<f64> = texels
+        .iter()
+        .step_by(texels.len().div_ceil(SAMPLES).max(1))
+        .map(|&(x, y)| shortest_chord(&image, (f64::from(x), f64::from(y)), half_ink, &directions))
+        .collect();
+    widths.sort_by(f64::total_cmp);
+    StrokeWidth { median_px: widths.get(widths.len() / 2).copied().unwrap_or(0.0), samples: widths.len() }
+}
+
+fn shortest_chord(image: &Bilinear, centre: (f64, f64), half_ink: f64, directions: &[(f64, f64)]) -> f64 {
+    let mut shortest = image.size as f64;
+    for &(dx, dy) in directions {
+        let ahead = image.reach(centre, (dx, dy), half_ink, shortest);
+        if ahead < shortest {
+            shortest = shortest.min(ahead + image.reach(centre, (-dx, -dy), half_ink, shortest - ahead));
+        }
+    }
+    shortest
+}
+
+/// An image read between its texels; texel centres lie at whole coordinates.
+struct Bilinear<'a> {
+    ink: &'a [u8],
+    size: usize,
+}
+
+impl Bilinear<'_> {
+    fn at(&self, x: f64, y: f64) -> f64 {
+        let (x0, y0) = (x.floor(), y.floor());
+        let wrap = |i: f64| (i as i64).rem_euclid(self.size as i64) as usize;
+        let (left, right) = (wrap(x0), wrap(x0 + 1.0));
+        let (top, bottom) = (wrap(y0) * self.size, wrap(y0 + 1.0) * self.size);
+        let (fx, fy) = (x - x0, y - y0);
+        let ink = |i: usize| f64::from(self.ink[i]);
+        let upper = ink(top + left) * (1.0 - fx) + ink(top + right) * fx;
+        let lower = ink(bottom + left) * (1.0 - fx) + ink(bottom + right) * fx;
+        upper * (1.0 - fy) + lower * fy
+    }
+
+    /// Distance from a point to where the ink falls below half, at most `limit`.
+    fn reach(&self, (x, y): (f64, f64), (dx, dy): (f64, f64), half_ink: f64, limit: f64) -> f64 {
+        let mut before = self.at(x, y);
+        let mut distance = 0.0;
+        while distance < limit {
+            distance += STEP_PX;
+            let here = self.at(x + dx * distance, y + dy * distance);
+            if here < half_ink {
+                return (distance - STEP_PX * (half_ink - here) / (before - here).max(1e-9)).min(limit);
+            }
+            before = here;
+        }
+        limit
+    }
+}
