@@ -10,13 +10,20 @@
 
 pub mod checks;
 pub mod error;
+mod generate;
 pub mod job;
 pub mod map;
 pub mod measure;
+mod placement;
 pub mod preset;
+pub mod raster;
+mod realise;
+pub mod sequence;
 pub mod stroke;
+mod tail;
 
 pub use error::GenerateError;
+pub use generate::{Generator, generate, tone_tolerance};
 pub use job::Job;
 pub use map::{Closing, Deficit, DeficitCause, Family, Grid, Level, Map, StrokeList, StrokeMap, ThresholdLevel};
 pub use preset::Preset;

@@ -7,11 +7,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use resvg::usvg;
 
+use super::TipOptions;
+use crate::raster::TipMask;
+
 /// Largest picture file of a tip, in bytes.
 pub(crate) const TIP_BYTES_MAX: u64 = 4 << 20;
-
-/// Largest side of a tip's picture, in texels.
-pub(crate) const TIP_SIDE_MAX: u32 = 2048;
 
 const PNG_MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n";
 const PNG_ADDRESS: &str = "data:image/png;base64,";
@@ -27,42 +27,22 @@ pub(crate) fn embed(path: &Path) -> Result<String, String> {
         return Err(format!("{shown} is larger than {} MiB", TIP_BYTES_MAX >> 20));
     }
     let address = if bytes.starts_with(PNG_MAGIC) { PNG_ADDRESS } else { SVG_ADDRESS };
-    decode(&bytes, address == PNG_ADDRESS).map_err(|problem| format!("{shown} {problem}"))?;
-    Ok(format!("{address}{}", STANDARD.encode(bytes)))
+    let address = format!("{address}{}", STANDARD.encode(bytes));
+    match TipMask::new(&TipOptions { image: Some(address.clone()), ..TipOptions::default() }) {
+        Ok(_) => Ok(address),
+        Err(error) => Err(format!("{shown}: {error}")),
+    }
 }
 
-/// Checks the picture that a `data:` address holds.
-pub(crate) fn check_picture(address: &str) -> Result<(), String> {
-    let (text, is_png) = if let Some(text) = address.strip_prefix(PNG_ADDRESS) {
-        (text, true)
-    } else if let Some(text) = address.strip_prefix(SVG_ADDRESS) {
-        (text, false)
-    } else {
-        return Err(format!("is no address that starts with {PNG_ADDRESS} or {SVG_ADDRESS}"));
-    };
-    if text.len() as u64 > TIP_BYTES_MAX / 3 * 4 + 8 {
-        return Err(format!("holds more than {} MiB", TIP_BYTES_MAX >> 20));
+/// Checks the shape of a tip, however it is given.
+pub(crate) fn check_shape(tip: &TipOptions) -> Result<(), String> {
+    if let Some(path) = &tip.path {
+        check_path(path)?;
     }
-    let bytes = STANDARD.decode(text).map_err(|error| format!("does not hold valid base64: {error}"))?;
-    decode(&bytes, is_png)
-}
-
-fn decode(bytes: &[u8], is_png: bool) -> Result<(), String> {
-    if is_png {
-        let mut reader = image::ImageReader::with_format(std::io::Cursor::new(bytes), image::ImageFormat::Png);
-        let mut limits = image::Limits::default();
-        limits.max_image_width = Some(TIP_SIDE_MAX);
-        limits.max_image_height = Some(TIP_SIDE_MAX);
-        reader.limits(limits);
-        reader.decode().map_err(|error| format!("is not a usable PNG file: {error}"))?;
-        return Ok(());
+    if tip.image.as_ref().is_some_and(|address| address.len() as u64 > TIP_BYTES_MAX / 3 * 4 + 64) {
+        return Err(format!("the tip's picture is larger than {} MiB", TIP_BYTES_MAX >> 20));
     }
-    let tree = usvg::Tree::from_data(bytes, &svg_options())
-        .map_err(|error| format!("is neither a PNG nor a usable SVG file: {error}"))?;
-    if !tree.root().has_children() {
-        return Err("is an SVG file without anything to draw".to_owned());
-    }
-    Ok(())
+    TipMask::new(tip).map(|_| ()).map_err(|error| error.to_string())
 }
 
 /// Reading of SVG that never follows a link to another file.
@@ -76,28 +56,31 @@ pub(crate) fn svg_options<'a>() -> usvg::Options<'a> {
     }
 }
 
-/// Checks SVG path data: every command must parse, and the first must be a move.
-pub(crate) fn check_path(data: &str) -> Result<(), String> {
-    let mut commands = 0_usize;
-    for command in svgtypes::PathParser::from(data) {
-        command.map_err(|error| error.to_string())?;
-        commands += 1;
+/// Checks SVG path data to its end; drawing takes what comes before an error, as browsers do.
+fn check_path(data: &str) -> Result<(), String> {
+    match svgtypes::PathParser::from(data).find_map(Result::err) {
+        Some(error) => Err(format!("the path does not parse: {error}")),
+        None => Ok(()),
     }
-    if commands < 2 {
-        return Err("nothing is drawn".to_owned());
-    }
-    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn path(data: &str) -> TipOptions {
+        TipOptions { path: Some(data.to_owned()), ..TipOptions::default() }
+    }
+
+    fn picture(address: &str) -> TipOptions {
+        TipOptions { image: Some(address.to_owned()), ..TipOptions::default() }
+    }
+
     #[test]
     fn a_path_must_parse_to_its_end() {
-        assert!(check_path("M0 0 L1 0 L1 1 Z").is_ok());
-        for wrong in ["", "L1 0", "M0 0", "M0 0 L1", "M0 0 L1 0 oops"] {
-            assert!(check_path(wrong).is_err(), "{wrong:?} was taken");
+        assert_eq!(check_shape(&path("M0 0 L1 0 L1 1 Z")), Ok(()));
+        for wrong in ["", "L1 0", "M0 0", "M0 0 L1 0 L1 1 L", "M0 0 L1 0 L1 1 oops", "M0 0\"/>"] {
+            assert!(check_shape(&path(wrong)).is_err(), "{wrong:?} was taken");
         }
     }
 
@@ -106,17 +89,12 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let png = folder.path().join("tip.png");
         image::GrayImage::new(4, 3).save(&png).expect("a written picture");
-        let address = embed(&png).expect("an address");
-        assert_eq!(check_picture(&address), Ok(()));
+        assert_eq!(check_shape(&picture(&embed(&png).expect("an address"))), Ok(()));
 
         let svg = folder.path().join("tip.svg");
-        std::fs::write(
-            &svg,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4"><path d="M0 0H4V4Z"/></svg>"#,
-        )
-        .expect("a written drawing");
-        let address = embed(&svg).expect("an address");
-        assert_eq!(check_picture(&address), Ok(()));
+        let drawing = r#"<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4"><path d="M0 0H4V4Z"/></svg>"#;
+        std::fs::write(&svg, drawing).expect("a written drawing");
+        assert_eq!(check_shape(&picture(&embed(&svg).expect("an address"))), Ok(()));
     }
 
     #[test]
@@ -131,7 +109,21 @@ mod tests {
         assert!(embed(&file).is_err());
         assert!(embed(folder.path()).is_err());
         assert!(embed(&folder.path().join("none.png")).is_err());
-        assert!(check_picture("data:image/png;base64,????").is_err());
-        assert!(check_picture("tip.png").is_err());
+        assert!(check_shape(&picture("data:image/png;base64,????")).is_err());
+    }
+
+    #[test]
+    fn a_drawing_does_not_pull_in_other_files() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let inner = folder.path().join("inner.svg");
+        let drawing = r#"<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4"><path d="M0 0H4V4Z"/></svg>"#;
+        std::fs::write(&inner, drawing).expect("a written drawing");
+        let outer = folder.path().join("outer.svg");
+        let linked = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4"><image width="4" height="4" href="{}"/></svg>"#,
+            inner.display()
+        );
+        std::fs::write(&outer, linked).expect("a written drawing");
+        assert!(embed(&outer).is_err());
     }
 }

@@ -85,18 +85,6 @@ fn check_tip(place: &Place, tip: &TipOptions, found: &mut Vec<Violation>) {
             Violation::new(place.key("image"), format!("{place} has two shapes"), "either path or image, not both")
                 .related(place.key("path"), "the other shape"),
         ),
-        (Some(path), None) => {
-            if let Err(problem) = tip_source::check_path(path) {
-                found.push(
-                    Violation::new(
-                        place.key("path"),
-                        format!("the path of {place} does not parse: {problem}"),
-                        "SVG path data",
-                    )
-                    .help("a path begins with a move and draws something: \"M0 0 L1 0 L0.5 1 Z\""),
-                );
-            }
-        }
         (None, Some(image)) if !image.starts_with("data:") => found.push(
             Violation::new(
                 place.key("image"),
@@ -105,10 +93,13 @@ fn check_tip(place: &Place, tip: &TipOptions, found: &mut Vec<Violation>) {
             )
             .help("load the preset as a file, and pictures are looked for beside it"),
         ),
-        (None, Some(image)) => {
-            if let Err(problem) = tip_source::check_picture(image) {
-                let problem = format!("the picture of {place} {problem}");
-                found.push(Violation::new(place.key("image"), problem, "a PNG or SVG picture in base64"));
+        (path, _) => {
+            if let Err(problem) = tip_source::check_shape(tip) {
+                let (key, expected) = match path {
+                    Some(_) => ("path", "SVG path data of a shape with an area, such as \"M0 0 L1 0 L0.5 1 Z\""),
+                    None => ("image", "a data: address of a PNG or SVG picture in base64"),
+                };
+                found.push(Violation::new(place.key(key), format!("{place}: {problem}"), expected));
             }
         }
     }
