@@ -106,7 +106,7 @@ impl Mip {
     }
 
     fn from_svg(document: &[u8]) -> Result<Self, TipError> {
-        let tree = usvg::Tree::from_data(document, &usvg::Options::default())
+        let tree = usvg::Tree::from_data(document, &crate::preset::tip_source::svg_options())
             .map_err(|error| TipError::Svg(error.to_string()))?;
         let bounds = tree.root().abs_layer_bounding_box();
         let aspect = bounds.width() / bounds.height();
