@@ -9,6 +9,8 @@
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
 pub mod error;
+pub mod export;
+pub mod import;
 pub mod job;
 pub mod map;
 pub mod preset;
