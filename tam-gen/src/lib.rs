@@ -8,15 +8,24 @@
 //!
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
+pub mod checks;
 pub mod error;
 pub mod export;
+mod generate;
 pub mod import;
 pub mod job;
 pub mod map;
+pub mod measure;
+mod placement;
 pub mod preset;
+pub mod raster;
+mod realise;
+pub mod sequence;
 pub mod stroke;
+mod tail;
 
 pub use error::GenerateError;
+pub use generate::{Generator, generate, tone_tolerance};
 pub use job::Job;
 pub use map::{Closing, Deficit, DeficitCause, Family, Grid, Level, Map, StrokeList, StrokeMap, ThresholdLevel};
 pub use preset::Preset;

@@ -6,7 +6,7 @@ use crate::preset::{Preset, StrokeOptions};
 use crate::stroke::Stroke;
 
 /// A finished map with all that it was made from.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Map {
     /// The preset it was made from; preset and version decide every byte.
     pub preset: Preset,

@@ -1,0 +1,56 @@
+//! Level nesting by pixels alone.
+
+use super::{CellFinding, Constraint, Finding, Limit, Subject, Verdict};
+use crate::measure::{self, LevelNesting};
+
+/// Largest share of lost texels, in parts of what unrelated images lose.
+const PART_OF_CONTROL: f64 = 0.05;
+/// Control below which a pair of images says nothing: they are so dark that any texel finds ink.
+const LEAST_CONTROL: f64 = 0.02;
+
+/// For each level but the finest, lost texels over those lost by chance, pooled over the lighter half of the columns as far
+/// as their control says something. Half ink is half of the coarser level's typical full ink.
+pub(super) fn check(subject: &Subject) -> Finding {
+    let constraint = Constraint::LevelNestingPixels;
+    if subject.grid.hand_built < 2 {
+        return Finding::not_judged(constraint, "there is only one level");
+    }
+    let mut cells = Vec::new();
+    for (level, pair) in subject.drawn().windows(2).enumerate() {
+        cells.extend(judge_pair(subject, level + 1, |column, half_ink| {
+            measure::level_nesting(&pair[1].cells[column], pair[1].size, &pair[0].cells[column], half_ink)
+        }));
+    }
+    if cells.is_empty() {
+        return Finding::not_judged(constraint, "even unrelated images would pass: the strokes are too dense");
+    }
+    Finding::of_cells(constraint, "of control", cells, |worst| {
+        let place = subject.place(worst.level, worst.column);
+        format!("{place}: inked texels without a stroke in level {}", worst.level - 1)
+    })
+}
+
+fn judge_pair(subject: &Subject, level: usize, of: impl Fn(usize, u8) -> LevelNesting) -> Vec<CellFinding> {
+    let half_ink = subject.half_ink(level);
+    let light = subject.grid.columns().div_ceil(2);
+    let judged: Vec<(usize, LevelNesting)> = (0..light)
+        .map(|column| (column, of(column, half_ink)))
+        .filter(|(_, nesting)| nesting.control() >= LEAST_CONTROL)
+        .collect();
+    let sum = |part: fn(&LevelNesting) -> usize| judged.iter().map(|(_, nesting)| part(nesting)).sum::<usize>() as f64;
+    let pooled = sum(|nesting| nesting.lost) / sum(|nesting| nesting.lost_by_chance).max(1.0);
+    let limit = Limit::AtMost(PART_OF_CONTROL);
+    let (coarse, fine) = (&subject.grid.levels[level], &subject.grid.levels[level - 1]);
+    let cell = |(column, nesting): &(usize, LevelNesting)| {
+        let part = nesting.lost as f64 / nesting.lost_by_chance.max(1) as f64;
+        // A few texels of one column are chance; all light columns together are not.
+        let measured = if limit.allows(pooled) { part.min(pooled) } else { part };
+        let mut cell = CellFinding::new(level, *column, measured, limit)
+            .marked(|| measure::lost_texels(&coarse.cells[*column], coarse.size, &fine.cells[*column], half_ink));
+        if nesting.lost == 0 {
+            cell.verdict = Verdict::Pass;
+        }
+        cell
+    };
+    judged.iter().map(cell).collect()
+}

@@ -1,0 +1,148 @@
+//! Whether every stroke of a level is really inked along its centre line, in that level and all finer ones.
+//!
+//! A level that draws a stroke whole must ink it in its own lightest such column and all darker ones. By nesting of the
+//! stroke list a stroke that a coarse level draws is also drawn by every finer level, so it is enough to take each level
+//! with the lightest column in which it, or any coarser level, draws a stroke whole.
+
+use crate::map::{Grid, StrokeList};
+use crate::preset::StrokeOptions;
+use crate::stroke::{Axis, Stroke};
+
+/// Samples along the centre lines of the strokes of a level.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CentreLines {
+    /// Samples taken, over all whole strokes.
+    pub samples: usize,
+    /// Samples with less ink than the stroke must leave there, in its lightest or any darker column.
+    pub missing: usize,
+    /// For each column: the samples missing in that column's image.
+    pub missing_of_column: Vec<usize>,
+    /// Strokes not judged: those drawn with a tip, whose shape is free.
+    pub skipped: usize,
+}
+
+/// Ink lost to rounding where strokes are composited one after another.
+const ROUNDING: f64 = 2.0;
+
+/// The least ink, `0.0 ..= 255.0`, that a stroke leaves in the texel that holds a point of its centre line, when the point
+/// lies in the middle of a texel as seen along the scan axis, away from ends and tapers. `None` for strokes with a tip.
+///
+/// *Lines.* With slope `s` (across per along) the stroke covers `h = w/2 √(1 + s²)` across to either side. In the worst case the
+/// line passes through the border of the texel, and half of it lies outside: `min(1, h)` is covered in the middle of the
+/// texel. Over the texel's width the line moves by `s/2` to either side; what it gains on one is lost on the other except
+/// where coverage saturates at 1, which costs the area of a triangle, `(|s|/2 - |1 - h|)² / 2|s|`. A rasteriser that takes
+/// the coverage in the middle of each texel loses nothing; the bound holds for both.
+///
+/// *Dots.* In the worst case the centre lies in the corner of a texel, which then holds a quarter of the disc: `π r²/4`, and
+/// no less than `π/4` where the disc reaches beyond the texel's sides. Small discs drawn by chords may lack a tenth of it.
+///
+/// Opacity multiplies the bound; grain withholds up to its own part of it; rounding takes two units of 255.
+pub fn centre_line_floor(stroke: &Stroke, slope: f64, options: &StrokeOptions) -> Option<f64> {
+    if options.tip.is_some() {
+        return None;
+    }
+    let radius = 0.5 * f64::from(stroke.width_px);
+    let coverage = if stroke.along_uv == 0.0 {
+        0.9 * std::f64::consts::FRAC_PI_4 * radius.min(1.0) * radius.min(1.0)
+    } else {
+        let slope = slope.abs();
+        let half_across = radius * (1.0 + slope * slope).sqrt();
+        let clipped = (0.5 * slope - (1.0 - half_across).abs()).max(0.0);
+        half_across.min(1.0) - clipped * clipped / (2.0 * slope.max(1e-9))
+    };
+    Some((coverage * options.opacity * (1.0 - options.grain) * 255.0 - ROUNDING).max(0.0))
+}
+
+/// Samples every whole stroke of a level once per texel along its scan axis, further than its taper and one texel from its
+/// ends, and looks for ink in all columns that must hold it.
+pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLines {
+    let cells = &grid.levels[level].cells;
+    let size = grid.levels[level].size;
+    let first = lightest_whole(strokes, level);
+    let mut found = CentreLines { missing_of_column: vec![0; cells.len()], ..CentreLines::default() };
+    // From dark to light, so that one image holds the least ink of a column and all darker ones.
+    let mut least_ink = vec![u8::MAX; (size * size) as usize];
+    for (column, ink) in cells.iter().enumerate().rev() {
+        for (least, &ink) in least_ink.iter_mut().zip(ink) {
+            *least = ink.min(*least);
+        }
+        for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) == column) {
+            let judged = for_each_sample(stroke, strokes, size, |texel, floor| {
+                found.samples += 1;
+                if f64::from(least_ink[texel]) < floor {
+                    found.missing += 1;
+                    for (ink, missing) in cells.iter().zip(&mut found.missing_of_column).skip(column) {
+                        *missing += usize::from(f64::from(ink[texel]) < floor);
+                    }
+                }
+            });
+            found.skipped += usize::from(!judged);
+        }
+    }
+    found
+}
+
+/// The texels of a cell that lie on the centre line of a whole stroke and lack its ink.
+pub fn missing_centre_lines(grid: &Grid, strokes: &StrokeList, level: usize, column: usize) -> Vec<bool> {
+    let ink = &grid.levels[level].cells[column];
+    let mut missing = vec![false; ink.len()];
+    let first = lightest_whole(strokes, level);
+    for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) <= column) {
+        for_each_sample(stroke, strokes, grid.levels[level].size, |texel, floor| {
+            missing[texel] |= f64::from(ink[texel]) < floor;
+        });
+    }
+    missing
+}
+
+/// For each stroke the lightest column in which this level or a coarser one draws it whole.
+fn lightest_whole(strokes: &StrokeList, level: usize) -> Vec<u8> {
+    let mut lightest = vec![StrokeList::NEVER; strokes.strokes.len()];
+    for first in strokes.first_column.iter().skip(level) {
+        for (lightest, &first) in lightest.iter_mut().zip(first) {
+            *lightest = first.min(*lightest);
+        }
+    }
+    lightest
+}
+
+/// Calls `visit` with the texel of each sample and the ink it must have; false if the stroke cannot be judged.
+fn for_each_sample(stroke: &Stroke, strokes: &StrokeList, size: u32, mut visit: impl FnMut(usize, f64)) -> bool {
+    let options = &strokes.families[usize::from(stroke.family)].stroke;
+    let side = size as i64;
+    let texel_of = |along: i64, across_uv: f64| {
+        let across = ((across_uv * f64::from(size)).floor() as i64).rem_euclid(side);
+        let (x, y) = match stroke.axis {
+            Axis::X => (along, across),
+            Axis::Y => (across, along),
+        };
+        (y * side + x) as usize
+    };
+    let (start, length) = (f64::from(stroke.start_uv), f64::from(stroke.along_uv));
+    if stroke.along_uv == 0.0 {
+        let Some(floor) = centre_line_floor(stroke, 0.0, options) else { return false };
+        let along = ((start * f64::from(size)).floor() as i64).rem_euclid(side);
+        visit(texel_of(along, f64::from(stroke.across_at(0.0))), floor);
+        return true;
+    }
+    let texel_uv = 1.0 / f64::from(size);
+    // One texel clears a butt or round end; strokes wider than two texels have ends as long as half their width.
+    let margin_uv = texel_uv * (0.5 * f64::from(stroke.width_px)).max(1.0);
+    // Strokes may run against their axis, so either end may hold either taper.
+    let margin_uv = options.taper_in.max(options.taper_out) * length + margin_uv;
+    let begin = (start + margin_uv) * f64::from(size);
+    let end = (start + length - margin_uv) * f64::from(size);
+    for along in (begin - 0.5).ceil() as i64..=(end - 0.5).floor() as i64 {
+        let t = ((along as f64 + 0.5) * texel_uv - start) / length;
+        let slope = f64::from(stroke.slope_at(t as f32));
+        let Some(floor) = centre_line_floor(stroke, slope, options) else { return false };
+        visit(texel_of(along.rem_euclid(side), across_at(stroke, t)), floor);
+    }
+    options.tip.is_none()
+}
+
+/// [`Stroke::across_at`] in double precision, so that a sample near the border of a texel does not change sides.
+fn across_at(stroke: &Stroke, t: f64) -> f64 {
+    let [c0, c1, c2, c3] = stroke.across_uv.map(f64::from);
+    c0 + t * (c1 + t * (c2 + t * c3))
+}

@@ -1,0 +1,3 @@
+//! Placements other than prefixes of sequences.
+
+pub(crate) mod praun;

@@ -1,0 +1,49 @@
+//! The texels of one stroke.
+
+/// The texels that one stroke inks at one level, with the ink it would leave there on empty paper.
+///
+/// Texels come by scan columns, in order along the stroke. Buffers are kept between strokes.
+#[derive(Debug, Clone, Default)]
+pub struct Footprint {
+    /// Index of each texel in its level (row · size + column).
+    pub texel: Vec<u32>,
+    /// Ink there, `1 ..= 255`.
+    pub ink: Vec<u8>,
+    /// Where each scan column begins in the two lists above.
+    pub column_start: Vec<u32>,
+}
+
+impl Footprint {
+    /// Forgets the texels and keeps the memory.
+    pub fn clear(&mut self) {
+        self.texel.clear();
+        self.ink.clear();
+        self.column_start.clear();
+    }
+
+    /// Number of texels.
+    pub fn len(&self) -> usize {
+        self.texel.len()
+    }
+
+    /// Whether the stroke inks nothing at this level.
+    pub fn is_empty(&self) -> bool {
+        self.texel.is_empty()
+    }
+
+    /// The texels and their ink.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, u8)> + '_ {
+        self.texel.iter().zip(&self.ink).map(|(&texel, &ink)| (texel as usize, ink))
+    }
+
+    #[inline]
+    pub(super) fn begin_column(&mut self) {
+        self.column_start.push(self.texel.len() as u32);
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, texel: u32, ink: u8) {
+        self.texel.push(texel);
+        self.ink.push(ink);
+    }
+}

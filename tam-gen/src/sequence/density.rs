@@ -1,0 +1,150 @@
+//! The density that a family's strokes have laid down so far, seen along the family, and the emptiest place in it.
+
+use super::Draw;
+use crate::stroke::{Stroke, wrap_unit};
+
+/// Columns along the strokes; enough to tell the gaps before and after a stroke from the one beside it.
+const COLUMNS: usize = 32;
+/// Rows across the strokes; a stroke's place is settled to one of them and jittered within it.
+const ROWS: std::ops::RangeInclusive<usize> = 64..=4096;
+/// Height of the noise an empty field starts with, in kernels: enough to break ties, too little to steer.
+const NOISE: f32 = 1e-3;
+
+/// Ink density along a family: `COLUMNS` columns along the strokes, each with `rows` rows across them, on the torus.
+///
+/// Every stroke adds the kernel `1 / (d + w/2)` across itself, `d` and `w` in tiles. Its long tail is what spaces strokes at
+/// all scales at once: the nearest stroke counts most, but a crowd far away counts too.
+#[derive(Debug, Clone)]
+pub(super) struct DensityField {
+    rows: usize,
+    /// `COLUMNS` runs of `rows` numbers.
+    density: Vec<f32>,
+    /// The kernel around row 0, on the circle of rows.
+    kernel: Vec<f32>,
+    /// Sum of densities under a candidate, for each row it could be put on.
+    under: Vec<f32>,
+}
+
+impl DensityField {
+    /// An empty field for strokes of the given width on a map of the given finest size.
+    pub(super) fn new(size: u32, width_px: f32, draw: &Draw) -> Self {
+        let rows = (size as usize).clamp(*ROWS.start(), *ROWS.end());
+        let half_width = 0.5 * width_px / size as f32;
+        let kernel: Vec<f32> =
+            (0..rows).map(|row| 1.0 / (row.min(rows - row) as f32 / rows as f32 + half_width)).collect();
+        let mut draw = draw.clone();
+        draw.seek(u32::MAX - 1);
+        // One number per row and column would cost more than a map's search; a few hundred, laid out twice, tell rows apart.
+        let noise: Vec<f32> = (0..rows).map(|_| draw.next() as f32 * NOISE * kernel[0]).collect();
+        let density = (0..COLUMNS * rows).map(|i| noise[(i * 7 + i / rows) % rows]).collect();
+        Self { rows, density, kernel, under: vec![0.0; rows] }
+    }
+
+    /// The row on which a stroke would meet the least density, and the mean density there. Ties go to the lowest row.
+    pub(super) fn emptiest_row(&mut self, shape: &Stroke) -> (f32, u32) {
+        self.under.fill(0.0);
+        let mut columns = 0;
+        for (column, offset) in columns_under(shape, self.rows) {
+            let density = &self.density[column * self.rows..][..self.rows];
+            let (wrapped, straight) = density.split_at(offset);
+            let (head, tail) = self.under.split_at_mut(straight.len());
+            add(head, straight);
+            add(tail, wrapped);
+            columns += 1;
+        }
+        let (row, lowest) = lowest(&self.under);
+        (lowest / columns as f32, row as u32)
+    }
+
+    /// The offset across, in uv, of a row.
+    pub(super) fn uv_of_row(&self, row: f32) -> f32 {
+        wrap_unit(row / self.rows as f32)
+    }
+
+    /// Adds a placed stroke. `weight` is its width over the family's.
+    pub(super) fn add(&mut self, stroke: &Stroke, weight: f32) {
+        for (column, row) in columns_under(stroke, self.rows) {
+            let density = &mut self.density[column * self.rows..][..self.rows];
+            let (before, after) = density.split_at_mut(row);
+            add_scaled(after, &self.kernel[..self.rows - row], weight);
+            add_scaled(before, &self.kernel[self.rows - row..], weight);
+        }
+    }
+}
+
+/// The columns under a stroke, with the row it crosses in the middle of each; at least one.
+fn columns_under(stroke: &Stroke, rows: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
+    let stroke = *stroke;
+    let (begin, end) =
+        (stroke.start_uv * COLUMNS as f32 - 0.5, (stroke.start_uv + stroke.along_uv) * COLUMNS as f32 - 0.5);
+    let mut first = begin.ceil() as i32;
+    let mut count = end.ceil() as i32 - first;
+    if count <= 0 {
+        (first, count) = ((0.5 * (begin + end)).round() as i32, 1);
+    }
+    (first..first + count.min(COLUMNS as i32)).map(move |column| {
+        let along_uv = (column as f32 + 0.5) / COLUMNS as f32 - stroke.start_uv;
+        let t = if stroke.along_uv > 0.0 { (along_uv / stroke.along_uv).clamp(0.0, 1.0) } else { 0.5 };
+        let row = (wrap_unit(stroke.across_at(t)) * rows as f32) as usize;
+        (column.rem_euclid(COLUMNS as i32) as usize, row.min(rows - 1))
+    })
+}
+
+#[inline]
+fn add(sum: &mut [f32], more: &[f32]) {
+    for (sum, more) in sum.iter_mut().zip(more) {
+        *sum += more;
+    }
+}
+
+#[inline]
+fn add_scaled(sum: &mut [f32], more: &[f32], weight: f32) {
+    for (sum, more) in sum.iter_mut().zip(more) {
+        *sum += weight * more;
+    }
+}
+
+/// The lowest number and its first index.
+fn lowest(numbers: &[f32]) -> (usize, f32) {
+    // Minimum first, in lanes the compiler can keep apart; then where it is.
+    let mut lanes = [f32::INFINITY; 8];
+    let (chunks, rest) = numbers.as_chunks::<8>();
+    for chunk in chunks {
+        for (lane, number) in lanes.iter_mut().zip(chunk) {
+            *lane = if *number < *lane { *number } else { *lane };
+        }
+    }
+    let minimum = lanes.iter().chain(rest).copied().fold(f32::INFINITY, f32::min);
+    let index = numbers.iter().position(|number| *number == minimum).unwrap_or(0);
+    (index, minimum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stroke::Axis;
+
+    fn level_stroke(start_uv: f32, along_uv: f32, across: f32) -> Stroke {
+        let across_uv = [across, 0.0, 0.0, 0.0];
+        Stroke { family: 0, axis: Axis::X, start_uv, along_uv, across_uv, width_px: 1.6 }
+    }
+
+    #[test]
+    fn the_emptiest_row_is_half_a_tile_from_a_lone_stroke() {
+        let mut field = DensityField::new(256, 1.6, &Draw::new(1, "h"));
+        field.add(&level_stroke(0.2, 0.9, 0.25), 1.0);
+        let (_, row) = field.emptiest_row(&level_stroke(0.5, 0.4, 0.0));
+        assert!((f64::from(row) - 192.0).abs() <= 2.0, "{row}");
+    }
+
+    #[test]
+    fn a_stroke_shorter_than_a_column_still_sees_and_is_seen() {
+        let mut field = DensityField::new(64, 1.6, &Draw::new(1, "h"));
+        let short = level_stroke(0.999, 0.001, 0.0);
+        let (before, _) = field.emptiest_row(&short);
+        field.add(&level_stroke(0.999, 0.001, 0.5), 1.0);
+        let (after, row) = field.emptiest_row(&short);
+        assert!(after > before);
+        assert!(row < 8 || row > 56, "{row}");
+    }
+}

@@ -1,0 +1,147 @@
+//! Sequences: a family's strokes in the one order in which they are added, ever, well spaced at every length.
+//!
+//! Every cell of a map draws a prefix of them, which is what makes tones and levels nest.
+
+mod density;
+mod direction;
+mod dots;
+mod random;
+
+pub use random::Draw;
+
+use crate::map::Family;
+use crate::preset::{PlacementMethod, Preset, StrokeOptions};
+use crate::stroke::Stroke;
+use density::DensityField;
+use direction::Direction;
+use dots::DotField;
+
+/// Step of the low-discrepancy sequence of lengths: far from every simple fraction, and from the golden ratio's multiples
+/// that the eye knows from spirals.
+const LENGTH_STEP: f64 = 0.569_840_290_998;
+
+/// One family's strokes, generated on demand.
+#[derive(Debug, Clone)]
+pub struct Sequence {
+    family: u16,
+    direction: Direction,
+    options: StrokeOptions,
+    effort: u32,
+    draw: Draw,
+    first_length: f64,
+    field: Field,
+    strokes: Vec<Stroke>,
+}
+
+#[derive(Debug, Clone)]
+enum Field {
+    /// Strokes avoid each other across their family.
+    Lines(DensityField),
+    /// Dots avoid each other all around.
+    Dots(DotField),
+    /// Nobody avoids anybody.
+    None,
+}
+
+impl Sequence {
+    /// An empty sequence of a preset's family. `family` is its index in the map's list.
+    pub fn new(preset: &Preset, family: u16, of: &Family) -> Self {
+        let (name, angle_deg, options) = (&of.name, of.angle_deg, &of.stroke);
+        let mut draw = Draw::new(preset.seed, name);
+        draw.seek(u32::MAX);
+        let first_length = draw.next();
+        let dots = options.length_max == 0.0;
+        let field = match (preset.placement.method, dots) {
+            (PlacementMethod::Random, _) => Field::None,
+            (_, true) => Field::Dots(DotField::new(preset.map.size, &draw)),
+            (_, false) => Field::Lines(DensityField::new(preset.map.size, options.width_px as f32, &draw)),
+        };
+        Self {
+            family,
+            direction: Direction::new(angle_deg),
+            options: options.clone(),
+            effort: preset.placement.effort,
+            first_length,
+            draw,
+            field,
+            strokes: Vec::new(),
+        }
+    }
+
+    /// The strokes generated so far.
+    pub fn strokes(&self) -> &[Stroke] {
+        &self.strokes
+    }
+
+    /// Whether the family runs against its scan axis.
+    pub fn reversed(&self) -> bool {
+        self.direction.reversed
+    }
+
+    /// Generates strokes until there are `count`.
+    pub fn extend_to(&mut self, count: usize) {
+        while self.strokes.len() < count {
+            let stroke = self.next_stroke();
+            self.strokes.push(stroke);
+        }
+    }
+
+    fn next_stroke(&mut self) -> Stroke {
+        let index = self.strokes.len() as u32;
+        self.draw.seek(index);
+        // Length and width are settled before the search: a search that could choose them would prefer short strokes.
+        let length = self.length(index);
+        let width_scale = (1.0 + self.options.width_jitter * self.draw.next_signed()) as f32;
+        let jitter_in_row = self.draw.next() as f32;
+        let draw = &mut self.draw;
+        let mut stroke = match &mut self.field {
+            Field::Dots(field) => {
+                let (u, v) = field.place(index, width_scale, self.options.width_px as f32, draw);
+                Stroke { start_uv: u, along_uv: 0.0, across_uv: [v, 0.0, 0.0, 0.0], ..self.direction.blank() }
+            }
+            Field::None => {
+                let mut shape = self.direction.shape(&self.options, length, draw);
+                shape.across_uv[0] = draw.next() as f32;
+                shape
+            }
+            Field::Lines(field) => {
+                let (mut best, mut best_row, mut lowest) = (self.direction.blank(), 0, f32::INFINITY);
+                for _ in 0..self.effort {
+                    let shape = self.direction.shape(&self.options, length, draw);
+                    let (density, row) = field.emptiest_row(&shape);
+                    if density < lowest {
+                        (best, best_row, lowest) = (shape, row, density);
+                    }
+                }
+                best.across_uv[0] = field.uv_of_row(best_row as f32 + jitter_in_row);
+                field.add(&best, width_scale);
+                best
+            }
+        };
+        stroke.family = self.family;
+        stroke.width_px = self.options.width_px as f32 * width_scale;
+        stroke
+    }
+
+    /// A stroke of the sequence, generated if need be.
+    pub fn stroke(&mut self, index: u32) -> Option<Stroke> {
+        self.extend_to(index as usize + 1);
+        self.strokes.get(index as usize).copied()
+    }
+
+    /// A stroke of this family that chance put anywhere, as a candidate for a search. Takes seven numbers of `draw`.
+    pub fn random_stroke(&self, draw: &mut Draw) -> Stroke {
+        let length = self.options.length_min + (self.options.length_max - self.options.length_min) * draw.next();
+        let width_scale = (1.0 + self.options.width_jitter * draw.next_signed()) as f32;
+        let mut stroke = self.direction.shape(&self.options, length as f32, draw);
+        stroke.across_uv[0] = draw.next() as f32;
+        stroke.family = self.family;
+        stroke.width_px = self.options.width_px as f32 * width_scale;
+        stroke
+    }
+
+    fn length(&self, index: u32) -> f32 {
+        let spread = (self.first_length + LENGTH_STEP * f64::from(index)).fract();
+        (self.options.length_min + (self.options.length_max - self.options.length_min) * spread) as f32
+    }
+}
