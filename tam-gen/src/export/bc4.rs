@@ -50,15 +50,14 @@ fn encode(level: &Level) -> Vec<Vec<u8>> {
         .into_par_iter()
         .map(|index| {
             let (x0, y0) = (index % across * 4, index / across * 4);
-            let mut limits = [255; 16];
+            let mut before = Block::paper();
             let encode = |ink: &Vec<u8>| {
                 let texels = std::array::from_fn(|i| {
                     let (x, y) = ((x0 + i % 4).min(size - 1), (y0 + i / 4).min(size - 1));
                     255 - ink[y * size + x]
                 });
-                let block = encode_block(texels, limits);
-                limits = block.decoded;
-                block.bytes
+                before = encode_block(&texels, &before);
+                before.bytes
             };
             level.cells.iter().map(encode).collect()
         })
@@ -67,26 +66,47 @@ fn encode(level: &Level) -> Vec<Vec<u8>> {
 }
 
 /// One block, and what it decodes to.
+#[derive(Clone, Copy)]
 struct Block {
-    error: u32,
+    cost: u32,
     bytes: [u8; 8],
     decoded: [u8; 16],
 }
 
-/// The better of the two codebooks, its ends the extremes of the texels; none decodes lighter than its limit.
-fn encode_block(texels: [u8; 16], limits: [u8; 16]) -> Block {
+impl Block {
+    /// What lies below the lightest column.
+    fn paper() -> Self {
+        Self { cost: 0, bytes: [255, 255, 0, 0, 0, 0, 0, 0], decoded: [255; 16] }
+    }
+}
+
+/// The best of a few pairs of ends; no texel decodes lighter than in the block before.
+fn encode_block(texels: &[u8; 16], before: &Block) -> Block {
+    let limits = &before.decoded;
     let targets: [u8; 16] = std::array::from_fn(|i| texels[i].min(limits[i]));
     let extremes = |of: &mut dyn Iterator<Item = u8>| of.fold((255, 0), |(low, high), x| (x.min(low), x.max(high)));
     let (low, high) = extremes(&mut targets.into_iter());
     let (inner_low, inner_high) = extremes(&mut targets.into_iter().filter(|&x| x != 0 && x != 255));
-    let six = if inner_low <= inner_high { (inner_low, inner_high) } else { (0, 255) };
-    let eight = fit(&targets, &limits, high, low);
-    let six = fit(&targets, &limits, six.0, six.1);
-    if eight.error < six.error { eight } else { six }
+    let (inner_low, inner_high) = if inner_low <= inner_high { (inner_low, inner_high) } else { (0, 255) };
+    let [end0, end1, ..] = before.bytes;
+    // Ends that are kept keep the texels that do not change; others would round them down once more.
+    let candidates = [
+        (inner_low, inner_high),
+        (high, low),
+        (end0, end1),
+        (inner_low.min(end1), end1),
+        (end0.min(inner_high), inner_high),
+        (inner_low, inner_high.max(end1)),
+        (inner_low, 255),
+    ];
+    let fits = candidates.into_iter().filter_map(|(end0, end1)| fit(texels, limits, end0, end1));
+    // The first always fits: it holds 0.
+    fits.min_by_key(|block| block.cost).unwrap_or(*before)
 }
 
-/// The best indices for given ends, whose order chooses the codebook. The darkest code is at or below every limit.
-fn fit(targets: &[u8; 16], limits: &[u8; 16], end0: u8, end1: u8) -> Block {
+/// The best indices for given ends, whose order chooses the codebook; `None` where a texel has no code at or below its
+/// limit. A block is judged by the squared errors of its texels and of its sum, lest tones drift.
+fn fit(texels: &[u8; 16], limits: &[u8; 16], end0: u8, end1: u8) -> Option<Block> {
     let (a, b) = (u32::from(end0), u32::from(end1));
     let codes: [u8; 8] = std::array::from_fn(|code| {
         let code = match code as u32 {
@@ -99,19 +119,20 @@ fn fit(targets: &[u8; 16], limits: &[u8; 16], end0: u8, end1: u8) -> Block {
         };
         code as u8
     });
-    let mut block = Block { error: 0, bytes: [0; 8], decoded: [0; 16] };
-    let mut bits = 0_u64;
-    for (i, (&target, &limit)) in targets.iter().zip(limits).enumerate() {
-        let squared = |code: usize| u32::from(codes[code].abs_diff(target)).pow(2);
+    let mut block = Block { cost: 0, bytes: [0; 8], decoded: [0; 16] };
+    let (mut bits, mut drift) = (0_u64, 0_i32);
+    for (i, (&texel, &limit)) in texels.iter().zip(limits).enumerate() {
         let allowed = (0..8).filter(|&code| codes[code] <= limit);
-        let best = allowed.min_by_key(|&code| squared(code)).unwrap_or(1);
-        block.error += squared(best);
+        let best = allowed.min_by_key(|&code| codes[code].abs_diff(texel))?;
+        block.cost += u32::from(codes[best].abs_diff(texel)).pow(2);
+        drift += i32::from(codes[best]) - i32::from(texel);
         block.decoded[i] = codes[best];
         bits |= (best as u64) << (3 * i);
     }
+    block.cost += drift.unsigned_abs().pow(2);
     block.bytes = (bits << 16).to_le_bytes();
     block.bytes[..2].copy_from_slice(&[end0, end1]);
-    block
+    Some(block)
 }
 
 /// The texels of BC4 blocks by rows: `width * height` bytes.
@@ -164,7 +185,7 @@ mod tests {
     fn blocks_decode_as_the_encoder_expects() {
         for (low, high) in [(0, 255), (10, 90), (90, 10), (7, 7), (255, 0)] {
             let texels = std::array::from_fn(|i| (i * 17) as u8);
-            let block = fit(&texels, &[255; 16], low, high);
+            let block = fit(&texels, &[255; 16], low, high).expect("without limits every texel has a code");
             assert_eq!(decode(&block.bytes, 4, 4), block.decoded);
         }
     }
