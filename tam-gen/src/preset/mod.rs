@@ -1,7 +1,17 @@
 //! Presets: what a material is made of.
 
+mod embedded;
 mod options;
+mod overrides;
+mod parse;
+mod place;
+mod report;
+mod schema;
+mod structure;
+pub(crate) mod tip_source;
 mod tones;
+mod validate;
+mod validate_stroke;
 
 use std::collections::BTreeMap;
 
@@ -11,6 +21,11 @@ pub use options::{
     FamilyOptions, MapOptions, PlacementMethod, PlacementOptions, RANGES, Range, SEED_MAX, StrokeOptions, TONE_COUNT,
     TipOptions,
 };
+pub use overrides::Overrides;
+pub use parse::PRESET_BYTES_MAX;
+pub use place::{Place, Step, Violation, nearest};
+pub use report::{PresetError, Problem};
+pub use schema::{schema, schema_text};
 pub use tones::{MeasureName, ToneMeasure, Tones};
 
 /// A material: everything that decides the bytes of its map.
