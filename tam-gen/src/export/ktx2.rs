@@ -57,14 +57,11 @@ impl TexelFormat {
         const TRANSFER_LINEAR: u8 = 1;
         const CHANNEL_ALPHA: u8 = 15;
         // Channel, bit offset, bits, value that means 1.
-        let (model, block, bytes, samples): (u8, [u8; 4], u8, &[(u8, u16, u8, u32)]) = match self {
+        type Sample = (u8, u16, u8, u32);
+        const RGBA: [Sample; 4] = [(0, 0, 8, 255), (1, 8, 8, 255), (2, 16, 8, 255), (CHANNEL_ALPHA, 24, 8, 255)];
+        let (model, block, bytes, samples): (u8, [u8; 4], u8, &[Sample]) = match self {
             Self::R8 => (MODEL_RGBSDA, [0; 4], 1, &[(0, 0, 8, 255)]),
-            Self::Rgba8 => (
-                MODEL_RGBSDA,
-                [0; 4],
-                4,
-                &[(0, 0, 8, 255), (1, 8, 8, 255), (2, 16, 8, 255), (CHANNEL_ALPHA, 24, 8, 255)],
-            ),
+            Self::Rgba8 => (MODEL_RGBSDA, [0; 4], 4, &RGBA),
             Self::Bc4 => (MODEL_BC4, [3, 3, 0, 0], 8, &[(0, 0, 64, u32::MAX)]),
         };
         let block_bytes = 24 + 16 * samples.len() as u16;

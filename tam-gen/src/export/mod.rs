@@ -4,6 +4,7 @@
 //! map's file holds the threshold as it is: 0 is inked first. Texels are linear light in every format.
 
 mod bc4;
+mod content;
 pub mod dds;
 mod error;
 mod files;

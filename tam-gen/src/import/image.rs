@@ -12,7 +12,7 @@ use super::texture::{BYTES_MAX, SIDE_MAX, Texture, TextureLevel};
 ///
 /// # Errors
 ///
-/// Any but these bytes give an error; memory is bounded by [`super::texture::BYTES_MAX`].
+/// Any but these bytes give an error; memory is bounded by [`super::BYTES_MAX`].
 pub fn decode(bytes: &[u8]) -> Result<Texture, DecodeError> {
     let mut reader = ImageReader::new(Cursor::new(bytes));
     // TGA has no mark at its beginning; all others do.

@@ -17,7 +17,7 @@ const ZSTD_EXPANSION_MAX: u64 = 40_000;
 ///
 /// # Errors
 ///
-/// Any but these bytes give an error; memory is bounded by [`super::texture::BYTES_MAX`].
+/// Any but these bytes give an error; memory is bounded by [`super::BYTES_MAX`].
 pub fn decode(bytes: &[u8]) -> Result<Texture, DecodeError> {
     let header_bytes = bytes.first_chunk::<{ Header::LENGTH }>().ok_or(DecodeError::Kind("KTX2"))?;
     let header = Header::from_bytes(header_bytes).map_err(|_| DecodeError::Kind("KTX2"))?;

@@ -100,11 +100,10 @@ pub fn read(source: &Path, options: &ImportOptions) -> Result<Imported, ImportEr
     };
     let manifest = facts::manifest_beside(&source.dir, source.stem.as_deref());
     let facts = facts::facts(&collected, manifest.as_ref());
-    let ours = facts.version.is_some();
     let mut imported = assemble::assemble(collected, facts, options)?;
 
     let beside = source.stem.as_ref().map(|stem| source.dir.join(format!("{stem}.strokemap.ktx2")));
-    let stroke_map = options.stroke_map.clone().or_else(|| beside.filter(|path| ours && path.is_file()));
+    let stroke_map = options.stroke_map.clone().or_else(|| beside.filter(|path| path.is_file()));
     if let Some(path) = stroke_map {
         imported.stroke_map = Some(read_stroke_map(&path)?);
     }

@@ -23,10 +23,6 @@ fn every_preset_comes_back_and_its_vector_strokes_lie_where_its_raster_has_ink()
         let raster: Vec<f64> = map.grid.levels[0].cells[map.grid.columns() - 1].iter().map(|&ink| ink.into()).collect();
         let alike = correlation(&drawn, &raster);
         if let Some(look) = &look {
-            println!("{name}: {alike:.3}");
-            for file in &written {
-                println!("    {} {} {}", file.bytes, file.path.file_name().unwrap().display(), file.what);
-            }
             std::fs::copy(dir.path().join("lines.sheet.png"), look.join(format!("{name}.png"))).unwrap();
             std::fs::copy(dir.path().join("lines.strokes.svg"), look.join(format!("{name}.svg"))).unwrap();
             pixmap.save_png(look.join(format!("{name}-strokes.png"))).unwrap();
