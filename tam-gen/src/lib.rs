@@ -10,7 +10,9 @@
 
 pub mod checks;
 pub mod error;
+pub mod export;
 mod generate;
+pub mod import;
 pub mod job;
 pub mod map;
 pub mod measure;

@@ -61,7 +61,7 @@ pub(super) fn pattern(subject: &Subject) -> Finding {
     };
     let mut cells = Vec::new();
     for (level, thresholds) in map.levels.iter().enumerate() {
-        let half_ink = subject.half_ink(level);
+        let half_ink = half_covered(subject, level);
         for (column, ink) in subject.grid.levels[level].cells.iter().enumerate() {
             let found = measure::pattern_match(&thresholds.threshold, ink, thresholds.size, half_ink);
             if found.differing_by_chance == 0.0 {
@@ -78,4 +78,12 @@ pub(super) fn pattern(subject: &Subject) -> Finding {
     Finding::of_cells(constraint, "of control", cells, |worst| {
         format!("{}: texels that differ from the column", subject.place(worst.level, worst.column))
     })
+}
+
+/// Ink of a texel that one stroke covers by half, as the stroke map counts: by the strokes' opacity, or, where that is not
+/// known, by the ink that covered texels show.
+fn half_covered(subject: &Subject, level: usize) -> u8 {
+    let Ok(strokes) = subject.strokes() else { return subject.half_ink(level) };
+    let opacity: f64 = strokes.families.iter().map(|family| family.stroke.opacity).sum();
+    (0.5 * 255.0 * opacity / strokes.families.len().max(1) as f64).round().clamp(1.0, 255.0) as u8
 }

@@ -5,8 +5,6 @@ use crate::measure;
 
 /// Largest tone error of images made anywhere.
 const ERROR: f64 = 1e-3;
-/// Largest tone error of a map made here, at 16 px and more, and below.
-const OWN_ERROR: (f64, f64) = (1e-4, 5e-4);
 /// Largest tone error of tail levels: averaging rounds each texel by up to half a unit, all the same way at worst.
 const TAIL_ERROR: f64 = 0.5 / 255.0 + 1e-3;
 
@@ -59,11 +57,7 @@ fn most(subject: &Subject, level: usize) -> f64 {
     if level >= subject.grid.hand_built {
         return TAIL_ERROR;
     }
-    let most = match (subject.options.own, size) {
-        (false, _) => ERROR,
-        (true, 16..) => OWN_ERROR.0,
-        (true, _) => OWN_ERROR.1,
-    };
+    let most = if subject.options.own { crate::tone_tolerance(size) } else { ERROR };
     most.max(quantum(subject) / (f64::from(size) * f64::from(size)))
 }
 

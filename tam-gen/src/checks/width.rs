@@ -27,7 +27,7 @@ pub(super) fn check(subject: &Subject) -> Finding {
                 coarse.cells[column][((y >> (coarsest - level)) * coarse.size + (x >> (coarsest - level))) as usize]
                     >= half
             };
-            measure::stroke_width(ink, subject.grid.levels[level].size, full_ink(subject, level), on_coarse)
+            measure::stroke_width(ink, subject.grid.levels[level].size, full_ink(subject), on_coarse)
         })
         .collect();
     let finest = widths[0].median_px.max(1e-6);
@@ -42,8 +42,9 @@ pub(super) fn check(subject: &Subject) -> Finding {
     })
 }
 
-fn full_ink(subject: &Subject, level: usize) -> u8 {
-    measure::full_ink(&subject.grid.levels[level].cells[0])
+/// Full ink, from the finest level, where most strokes show it.
+fn full_ink(subject: &Subject) -> u8 {
+    measure::full_ink(&subject.grid.levels[0].cells[0])
 }
 
 /// The coarsest level, and its lightest column, with enough inked texels and strokes no wider than a quarter of its size.
@@ -55,7 +56,7 @@ fn coarsest_judged(subject: &Subject) -> Option<(usize, usize)> {
             let inked = measure::share_at_least(&image.cells[column], subject.half_ink(level));
             inked * image.cells[column].len() as f64 >= SAMPLES as f64
         })?;
-        let width = measure::stroke_width(&image.cells[column], image.size, full_ink(subject, level), |_, _| true);
+        let width = measure::stroke_width(&image.cells[column], image.size, full_ink(subject), |_, _| true);
         (width.median_px <= 0.25 * f64::from(image.size)).then_some((level, column))
     })
 }

@@ -1,8 +1,9 @@
 //! Width of strokes, measured on pixels.
 //!
 //! The measure of choice, twice the distance transform on the skeleton, is quantised to texels, too coarse for strokes of
-//! one or two. Its sub-texel equivalent: the shortest chord through an inked texel, which for a straight stroke is its
-//! width wherever in the stroke the texel lies.
+//! one or two. Its sub-texel equivalent: the ink along the shortest chord through an inked texel, over the ink of a covered
+//! texel. For a straight stroke that is its width, wherever in the stroke the texel lies and however the stroke falls on
+//! the raster, since anti-aliasing keeps the ink.
 
 use std::f64::consts::PI;
 
@@ -21,47 +22,54 @@ const DIRECTIONS: usize = 16;
 const STEP_PX: f64 = 0.25;
 /// Most texels measured per image; more are thinned evenly.
 const SAMPLES: usize = 1024;
+/// A chord ends where the ink falls below this part of full ink: paper.
+const PAPER: f64 = 0.02;
+/// A chord ends in the valley before ink that rises by this part of full ink again: the next stroke.
+const RISE: f64 = 0.1;
 
-/// Median over texels of the shortest chord through them, among 16 directions.
+/// Median over texels of the ink along the chord through them, over `full_ink`, in that of 16 directions in which it is
+/// least.
 ///
-/// Only texels of at least half of `full_ink` (see [`super::full_ink`]) for which `select(x, y)` holds. Chords end where
-/// the bilinearly filtered ink falls below that half, and are cut at the size of the tile. Accuracy: 0.1 texels from 1.5
-/// texels on; thinner strokes read up to 0.3 texels too wide, equally at all levels.
+/// Only texels of at least half of `full_ink` (see [`super::full_ink`]) for which `select(x, y)` holds. Chords run through
+/// the bilinearly filtered image to paper or to the valley before the next stroke, and are cut at the size of the tile.
+/// Accuracy: 0.1 texels, if `full_ink` is that of a covered texel. Strokes thinner than a texel never cover one, and read as
+/// up to one texel wide.
 pub fn stroke_width(ink: &[u8], size: u32, full_ink: u8, select: impl Fn(u32, u32) -> bool) -> StrokeWidth {
-    let half_ink = 0.5 * f64::from(full_ink.max(1));
+    let full_ink = f64::from(full_ink.max(1));
     let texels: Vec<(u32, u32)> = (0..size)
         .flat_map(|y| (0..size).map(move |x| (x, y)))
-        .filter(|&(x, y)| f64::from(ink[(y * size + x) as usize]) >= half_ink && select(x, y))
+        .filter(|&(x, y)| f64::from(ink[(y * size + x) as usize]) >= 0.5 * full_ink && select(x, y))
         .collect();
     let directions: Vec<(f64, f64)> = (0..DIRECTIONS)
         .map(|i| PI * i as f64 / DIRECTIONS as f64)
         .map(|angle| (libm::cos(angle), libm::sin(angle)))
         .collect();
-    let image = Bilinear { ink, size: size as usize };
+    let image = Bilinear { ink, size: size as usize, full_ink };
     let mut widths: Vec<f64> = texels
         .iter()
         .step_by(texels.len().div_ceil(SAMPLES).max(1))
-        .map(|&(x, y)| shortest_chord(&image, (f64::from(x), f64::from(y)), half_ink, &directions))
+        .map(|&(x, y)| least_chord(&image, (f64::from(x), f64::from(y)), &directions))
         .collect();
     widths.sort_by(f64::total_cmp);
     StrokeWidth { median_px: widths.get(widths.len() / 2).copied().unwrap_or(0.0), samples: widths.len() }
 }
 
-fn shortest_chord(image: &Bilinear, centre: (f64, f64), half_ink: f64, directions: &[(f64, f64)]) -> f64 {
-    let mut shortest = image.size as f64;
+fn least_chord(image: &Bilinear, centre: (f64, f64), directions: &[(f64, f64)]) -> f64 {
+    let mut least = image.size as f64;
     for &(dx, dy) in directions {
-        let ahead = image.reach(centre, (dx, dy), half_ink, shortest);
-        if ahead < shortest {
-            shortest = shortest.min(ahead + image.reach(centre, (-dx, -dy), half_ink, shortest - ahead));
+        let ahead = image.ink_along(centre, (dx, dy), least);
+        if ahead < least {
+            least = least.min(ahead + image.ink_along(centre, (-dx, -dy), least - ahead));
         }
     }
-    shortest
+    least
 }
 
 /// An image read between its texels; texel centres lie at whole coordinates.
 struct Bilinear<'a> {
     ink: &'a [u8],
     size: usize,
+    full_ink: f64,
 }
 
 impl Bilinear<'_> {
@@ -77,15 +85,23 @@ impl Bilinear<'_> {
         upper * (1.0 - fy) + lower * fy
     }
 
-    /// Distance from a point to where the ink falls below half, at most `limit`.
-    fn reach(&self, (x, y): (f64, f64), (dx, dy): (f64, f64), half_ink: f64, limit: f64) -> f64 {
-        let mut before = self.at(x, y);
+    /// Ink along a ray, as a length in texels of full ink, at most `limit`.
+    fn ink_along(&self, (x, y): (f64, f64), (dx, dy): (f64, f64), limit: f64) -> f64 {
+        let mut before = self.at(x, y) / self.full_ink;
+        let (mut sum, mut least, mut sum_at_least) = (0.0, before, 0.0);
         let mut distance = 0.0;
-        while distance < limit {
+        while sum < limit && distance < self.size as f64 {
             distance += STEP_PX;
-            let here = self.at(x + dx * distance, y + dy * distance);
-            if here < half_ink {
-                return (distance - STEP_PX * (half_ink - here) / (before - here).max(1e-9)).min(limit);
+            let here = self.at(x + dx * distance, y + dy * distance) / self.full_ink;
+            sum += 0.5 * STEP_PX * (before + here);
+            if here < PAPER {
+                return sum.min(limit);
+            }
+            if here > least + RISE && least < 0.5 {
+                return sum_at_least;
+            }
+            if here < least {
+                (least, sum_at_least) = (here, sum);
             }
             before = here;
         }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::error::GenerateError;
 use crate::map::{DeficitCause, Family, Level, StrokeList};
-use crate::preset::{PlacementOptions, Preset};
+use crate::preset::Preset;
 use crate::raster::{Footprint, Grain};
 use crate::realise::{LevelScratch, Plan, Window, fill_thresholds};
 use crate::sequence::{Draw, Sequence};
@@ -44,7 +44,7 @@ pub(crate) fn draw_levels(
     let mut candidates: Vec<Stroke> = Vec::new();
 
     for column in 0..columns {
-        let count = candidate_count(&preset.placement, column, columns);
+        let count = preset.placement.candidates(column, columns);
         for l in (0..level_count).rev() {
             let target = plan.target(column, levels[l].size);
             let mut window = Window::default();
@@ -95,13 +95,6 @@ pub(crate) fn draw_levels(
     }
     let closing = vec![vec![Vec::new(); columns]; level_count];
     Ok((StrokeList { families: families.to_vec(), strokes, first_column, closing }, causes))
-}
-
-/// Candidates per stroke of a column: evenly from the first to the last (1000 to 100 in the paper).
-pub(crate) fn candidate_count(placement: &PlacementOptions, column: usize, columns: usize) -> u32 {
-    let part = column as f64 / (columns.max(2) - 1) as f64;
-    let (first, last) = (f64::from(placement.candidates_first), f64::from(placement.candidates_last));
-    (first + (last - first) * part).round() as u32
 }
 
 /// The candidate with the highest score; of equals the first, so that threads do not matter.
@@ -186,18 +179,5 @@ impl Pyramid {
                 }
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn candidates_fall_from_the_first_number_to_the_last() {
-        let placement = PlacementOptions::default();
-        let counts: Vec<u32> = (0..6).map(|column| candidate_count(&placement, column, 6)).collect();
-        assert_eq!(counts, [1000, 820, 640, 460, 280, 100]);
-        assert_eq!(candidate_count(&placement, 0, 1), 1000);
     }
 }

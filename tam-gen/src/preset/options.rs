@@ -249,6 +249,15 @@ impl PlacementMethod {
     }
 }
 
+impl PlacementOptions {
+    /// Candidates per stroke of Praun's placement in a column: evenly from the first number to the last.
+    pub fn candidates(&self, column: usize, columns: usize) -> u32 {
+        let part = column as f64 / (columns.max(2) - 1) as f64;
+        let (first, last) = (f64::from(self.candidates_first), f64::from(self.candidates_last));
+        (first + (last - first) * part).round() as u32
+    }
+}
+
 const FAMILY_RANGES: &[Range] = &[Range {
     table: "families",
     key: "angle_deg",
@@ -294,3 +303,23 @@ const fn join() -> [Range; total(&PARTS)] {
 
 /// Every number of a preset. A family may set any `stroke` number too.
 pub static RANGES: [Range; total(&PARTS)] = join();
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn candidates_fall_from_the_first_number_to_the_last() {
+        let placement = PlacementOptions::default();
+        let counts: Vec<u32> = (0..6).map(|column| placement.candidates(column, 6)).collect();
+        assert_eq!(counts, [1000, 820, 640, 460, 280, 100]);
+        assert_eq!(placement.candidates(0, 1), 1000);
+    }
+
+    #[test]
+    fn every_default_lies_in_its_range() {
+        for range in &RANGES {
+            assert!(range.contains(range.default), "{}.{}", range.table, range.key);
+        }
+    }
+}

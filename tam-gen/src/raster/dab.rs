@@ -5,7 +5,7 @@ use crate::stroke::{Axis, Stroke};
 
 const SUB_COLUMNS: i32 = 4;
 
-/// Adds the texels of a dot to the footprint. Its area errs by less than 3 % at a diameter of one texel.
+/// Adds the texels of a dot to the footprint. Its area errs by less than 5 % at a diameter of one texel.
 pub(super) fn disc(nib: &Nib, stroke: &Stroke, size: u32, out: &mut Footprint) {
     let side = size as f32;
     let mask = size as i32 - 1;

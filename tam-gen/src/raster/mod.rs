@@ -8,6 +8,8 @@ mod dab;
 mod footprint;
 mod grain;
 mod line;
+#[cfg(test)]
+mod reference;
 mod tip;
 
 pub use footprint::Footprint;

@@ -140,9 +140,9 @@ mod tests {
     #[test]
     fn a_stroke_shorter_than_a_column_still_sees_and_is_seen() {
         let mut field = DensityField::new(64, 1.6, &Draw::new(1, "h"));
-        let short = level_stroke(0.999, 0.001, 0.5);
+        let short = level_stroke(0.999, 0.001, 0.0);
         let (before, _) = field.emptiest_row(&short);
-        field.add(&short, 1.0);
+        field.add(&level_stroke(0.999, 0.001, 0.5), 1.0);
         let (after, row) = field.emptiest_row(&short);
         assert!(after > before);
         assert!(row < 8 || row > 56, "{row}");
