@@ -38,8 +38,7 @@ fn raster(criterion: &mut Criterion) {
             let mut path = tiny_skia::PathBuilder::new();
             for part in 0..=16_u8 {
                 let t = f32::from(part) / 16.0;
-                let (x, y) =
-                    ((stroke.start_uv + t * stroke.along_uv) * size as f32, stroke.across_at(t) * size as f32);
+                let (x, y) = ((stroke.start_uv + t * stroke.along_uv) * size as f32, stroke.across_at(t) * size as f32);
                 if part == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
             }
             path.finish().expect("a path")
@@ -102,7 +101,8 @@ fn after(criterion: &mut Criterion) {
     let options = tam_gen::export::ExportOptions { overwrite: true, ..Default::default() };
     group.bench_function("export", |bencher| {
         bencher.iter(|| {
-            tam_gen::export::export(&map, "pencil", folder.path(), &options, &Job::default()).expect("a writable folder")
+            tam_gen::export::export(&map, "pencil", folder.path(), &options, &Job::default())
+                .expect("a writable folder")
         });
     });
     group.finish();

@@ -129,7 +129,14 @@ fn literal_row(incremental: &Map, raster_ms: f64) -> Row {
             total += cell.mul_f64((accepted * candidates) as f64 / (STROKES_PER_CELL * CANDIDATES) as f64);
         }
     }
-    Row { size: sizes[0], what: "praun literal".into(), runs: 0, cpu_ms: total.as_secs_f64() * 1e3, raster_ms, map: None }
+    Row {
+        size: sizes[0],
+        what: "praun literal".into(),
+        runs: 0,
+        cpu_ms: total.as_secs_f64() * 1e3,
+        raster_ms,
+        map: None,
+    }
 }
 
 /// Strokes that the search accepted in a cell: there at this level first, and not at coarser ones.
@@ -182,7 +189,10 @@ fn print(rows: &[Row]) {
     let mut csv = String::from(
         "size_px,placement,runs,cpu_ms,raster_ms,over_raster,over_progressive,tone_error,cv8_c0,cv8_c1,cv8_c2,gap_c0,gap_c1,gap_c2,low_c0,low_c1,low_c2\n",
     );
-    println!("{:>5}  {:<14} {:>4} {:>10} {:>8} {:>8} {:>9} {:>9}  CV(S/8) by column, gap CV, low frequency", "px", "placement", "runs", "CPU ms", "raster", "ratio", "to ours", "tone err");
+    println!(
+        "{:>5}  {:<14} {:>4} {:>10} {:>8} {:>8} {:>9} {:>9}  CV(S/8) by column, gap CV, low frequency",
+        "px", "placement", "runs", "CPU ms", "raster", "ratio", "to ours", "tone err"
+    );
     for row in rows {
         let ours = rows.iter().find(|r| r.size == row.size && r.what == "progressive").map_or(f64::NAN, |r| r.cpu_ms);
         let figures = row.map.as_ref().map(Figures::of).unwrap_or_default();
@@ -201,7 +211,14 @@ fn print(rows: &[Row]) {
         let _ = write!(
             csv,
             "{},{},{},{:.3},{:.3},{:.3},{:.2},{:.3e}",
-            row.size, row.what, row.runs, row.cpu_ms, row.raster_ms, row.cpu_ms / row.raster_ms, row.cpu_ms / ours, figures.tone_error
+            row.size,
+            row.what,
+            row.runs,
+            row.cpu_ms,
+            row.raster_ms,
+            row.cpu_ms / row.raster_ms,
+            row.cpu_ms / ours,
+            figures.tone_error
         );
         for figure in figures.cv8.iter().chain(&figures.gap).chain(&figures.low) {
             let _ = write!(csv, ",{figure:.4}");

@@ -142,7 +142,9 @@ fn own_facts(imported: &mut Imported) -> Result<(CheckOptions, Option<StrokeList
     }
     let map = tam_gen::generate(&preset, &Job::default())?;
     if !same_shape(&map.grid, &imported.grid) {
-        imported.notes.push("The map has other tones or levels than its preset, so its strokes were not checked.".to_owned());
+        imported
+            .notes
+            .push("The map has other tones or levels than its preset, so its strokes were not checked.".to_owned());
         return Ok((options, None));
     }
     Ok((options, Some(map.strokes)))

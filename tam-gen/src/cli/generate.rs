@@ -9,6 +9,7 @@ use tam_gen::checks::{Report, check_map};
 use tam_gen::export::{ExportOptions, Format, WrittenFile, export};
 use tam_gen::{Job, Map, Preset};
 
+use super::Outcome;
 use super::args::OverrideArgs;
 use super::failure::Failure;
 use super::interrupt;
@@ -16,7 +17,6 @@ use super::output::Output;
 use super::progress::Progress;
 use super::source;
 use super::summary::Finished;
-use super::Outcome;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -99,11 +99,8 @@ pub(super) fn run(args: &GenerateArgs, output: &Output) -> Result<Outcome, Failu
     let (stem, preset) = source::preset(&args.preset)?;
     let preset = preset.apply(&args.overrides.overrides())?;
     let name = args.name.as_deref().unwrap_or(&stem);
-    let options = ExportOptions {
-        formats: formats(&args.format, &args.also),
-        overwrite: args.force,
-        sheet: !args.no_sheet,
-    };
+    let options =
+        ExportOptions { formats: formats(&args.format, &args.also), overwrite: args.force, sheet: !args.no_sheet };
     let cancel = interrupt::catch();
     let made = make(&preset, name, &args.out, &options, cancel, output)?;
     made.finish(name, started, output)

@@ -83,8 +83,7 @@ fn list(output: &Output) -> Result<(), Failure> {
         presets.push((*name, Preset::from_toml(source, name)?.description));
     }
     let width = presets.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let text: String =
-        presets.iter().map(|(name, description)| format!("{name:<width$}  {description}\n")).collect();
+    let text: String = presets.iter().map(|(name, description)| format!("{name:<width$}  {description}\n")).collect();
     output.result(&text, || {
         let list = presets.iter().map(|(name, description)| json!({ "name": name, "description": description }));
         json!({ "presets": list.collect::<Vec<Value>>() })

@@ -61,7 +61,8 @@ pub(super) fn run(args: &SheetArgs, output: &Output) -> Result<Outcome, Failure>
     files::check_free(&path, args.force)?;
 
     let shown = load(args, stem)?;
-    let picture = if args.tile { tile(&shown.grid, args.column)? } else { contact_sheet(&shown.grid, &options(&shown)) };
+    let picture =
+        if args.tile { tile(&shown.grid, args.column)? } else { contact_sheet(&shown.grid, &options(&shown)) };
     interrupt::stop_if_happened()?;
     let mut png = Cursor::new(Vec::new());
     picture.write_to(&mut png, ImageFormat::Png).map_err(|error| Failure::Output {
@@ -124,6 +125,9 @@ fn tile(grid: &Grid, column: Option<usize>) -> Result<RgbImage, Failure> {
     let column = column.unwrap_or(columns / 2);
     match grid.levels.first() {
         Some(finest) if column < columns => Ok(tiling(finest, column, 3)),
-        _ => Err(Failure::usage(format!("--column {column}: the map has {columns}"), format!("0 to {}", columns.max(1) - 1))),
+        _ => Err(Failure::usage(
+            format!("--column {column}: the map has {columns}"),
+            format!("0 to {}", columns.max(1) - 1),
+        )),
     }
 }

@@ -9,7 +9,7 @@ use serde_json::json;
 
 use super::args::Cli;
 use super::failure::Failure;
-use super::output::{self, Output};
+use super::output::Output;
 use super::summary::path_text;
 use super::{Outcome, files};
 
@@ -85,6 +85,8 @@ fn collect(command: &clap::Command, pages: &mut Vec<(String, String)>) -> Result
 
 fn render(command: &clap::Command) -> Result<String, Failure> {
     let mut page = Vec::new();
-    Man::new(command.clone()).render(&mut page).map_err(|error| Failure::write(Path::new("the manual page"), &error))?;
+    Man::new(command.clone())
+        .render(&mut page)
+        .map_err(|error| Failure::write(Path::new("the manual page"), &error))?;
     Ok(String::from_utf8_lossy(&page).into_owned())
 }

@@ -27,7 +27,8 @@ impl Finished<'_> {
         let preset = &map.preset;
         let columns = counted(map.grid.columns(), "tone");
         let levels = counted(map.grid.hand_built, "level");
-        let mut text = format!("{name}: {} px, {levels}, {columns}, {} strokes\n\n", preset.map.size, map.strokes.strokes.len());
+        let mut text =
+            format!("{name}: {} px, {levels}, {columns}, {} strokes\n\n", preset.map.size, map.strokes.strokes.len());
         text += &file_table(files);
         text += &format!("\n{}\n", report.table());
         text += &deficit_list(&map.deficits);

@@ -52,7 +52,10 @@ fn description(table: &[String], key: Option<&str>) -> Option<String> {
     let mut node = schema();
     for step in table.iter().map(String::as_str).chain(key) {
         let properties = resolved(node);
-        node = properties.get("properties").and_then(|keys| keys.get(step)).or_else(|| properties.get("additionalProperties"))?;
+        node = properties
+            .get("properties")
+            .and_then(|keys| keys.get(step))
+            .or_else(|| properties.get("additionalProperties"))?;
     }
     node.get("description").or_else(|| resolved(node).get("description")).and_then(Value::as_str).map(str::to_owned)
 }
