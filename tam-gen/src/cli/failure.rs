@@ -71,7 +71,7 @@ impl Failure {
 
     fn message(&self) -> String {
         match self {
-            Self::Preset(error) => error.report(false),
+            Self::Preset(error) => in_a_line(error),
             Self::Generate { at, problem } => format!("{at}: {problem}"),
             Self::Source(error) => error.to_string(),
             Self::Usage { message, .. } | Self::Output { message, .. } => message.clone(),
@@ -110,13 +110,29 @@ impl Failure {
         }
         match self {
             Self::Preset(preset) => {
-                error["file"] = preset.origin.as_str().into();
+                if !preset.origin.is_empty() {
+                    error["file"] = preset.origin.as_str().into();
+                }
                 error["problems"] = json!(preset.problems);
             }
             Self::Generate { at, .. } => error["at"] = at.as_str().into(),
             _ => {}
         }
         error
+    }
+}
+
+/// The first problem, and how many more there are.
+fn in_a_line(error: &PresetError) -> String {
+    let Some(first) = error.problems.first() else { return "the preset is not valid".to_owned() };
+    let mut line = first.message.clone();
+    if !first.expected.is_empty() {
+        line += &format!(": {}", first.expected);
+    }
+    match error.problems.len() - 1 {
+        0 => line,
+        1 => line + "; and 1 more problem",
+        more => line + &format!("; and {more} more problems"),
     }
 }
 
