@@ -22,7 +22,7 @@ pub(super) fn check(subject: &Subject) -> Finding {
     }
     if samples == 0 {
         let why = match skipped {
-            0 => "no stroke is long enough to have a middle",
+            0 => "strokes are too short, or taper all along, to have a middle",
             _ => "strokes are drawn with a tip, whose shape is free",
         };
         return Finding::not_judged(constraint, why);

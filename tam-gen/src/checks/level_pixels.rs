@@ -1,6 +1,7 @@
 //! Level nesting by pixels alone.
 
 use super::{CellFinding, Constraint, Finding, Limit, Subject, Verdict};
+use crate::map::Level;
 use crate::measure::{self, LevelNesting};
 
 /// Largest share of lost texels, in parts of what unrelated images lose.
@@ -17,9 +18,7 @@ pub(super) fn check(subject: &Subject) -> Finding {
     }
     let mut cells = Vec::new();
     for (level, pair) in subject.drawn().windows(2).enumerate() {
-        cells.extend(judge_pair(subject, level + 1, |column, half_ink| {
-            measure::level_nesting(&pair[1].cells[column], pair[1].size, &pair[0].cells[column], half_ink)
-        }));
+        cells.extend(judge_pair(subject, level + 1, &pair[1], &pair[0]));
     }
     if cells.is_empty() {
         return Finding::not_judged(constraint, "even unrelated images would pass: the strokes are too dense");
@@ -30,23 +29,28 @@ pub(super) fn check(subject: &Subject) -> Finding {
     })
 }
 
-fn judge_pair(subject: &Subject, level: usize, of: impl Fn(usize, u8) -> LevelNesting) -> Vec<CellFinding> {
+fn judge_pair(subject: &Subject, level: usize, coarse: &Level, fine: &Level) -> Vec<CellFinding> {
     let half_ink = subject.half_ink(level);
+    let width = measure::stroke_width(&fine.cells[0], fine.size, measure::full_ink(&fine.cells[0]), |_, _| true);
+    let reach = measure::level_nesting_reach(width.width_px);
+    let of = |column: usize| {
+        measure::level_nesting(&coarse.cells[column], coarse.size, &fine.cells[column], half_ink, reach)
+    };
     let light = subject.grid.columns().div_ceil(2);
     let judged: Vec<(usize, LevelNesting)> = (0..light)
-        .map(|column| (column, of(column, half_ink)))
+        .map(|column| (column, of(column)))
         .filter(|(_, nesting)| nesting.control() >= LEAST_CONTROL)
         .collect();
     let sum = |part: fn(&LevelNesting) -> usize| judged.iter().map(|(_, nesting)| part(nesting)).sum::<usize>() as f64;
     let pooled = sum(|nesting| nesting.lost) / sum(|nesting| nesting.lost_by_chance).max(1.0);
     let limit = Limit::AtMost(PART_OF_CONTROL);
-    let (coarse, fine) = (&subject.grid.levels[level], &subject.grid.levels[level - 1]);
     let cell = |(column, nesting): &(usize, LevelNesting)| {
         let part = nesting.lost as f64 / nesting.lost_by_chance.max(1) as f64;
         // A few texels of one column are chance; all light columns together are not.
         let measured = if limit.allows(pooled) { part.min(pooled) } else { part };
-        let mut cell = CellFinding::new(level, *column, measured, limit)
-            .marked(|| measure::lost_texels(&coarse.cells[*column], coarse.size, &fine.cells[*column], half_ink));
+        let mut cell = CellFinding::new(level, *column, measured, limit).marked(|| {
+            measure::lost_texels(&coarse.cells[*column], coarse.size, &fine.cells[*column], half_ink, reach)
+        });
         if nesting.lost == 0 {
             cell.verdict = Verdict::Pass;
         }

@@ -17,6 +17,8 @@ mod tone;
 mod tone_nesting;
 mod width;
 
+use rayon::prelude::*;
+
 use crate::map::{Grid, Map, StrokeList, StrokeMap};
 use crate::preset::ToneMeasure;
 
@@ -73,7 +75,7 @@ pub fn check_grid(
         (None, Constraint::StrokeMapTone) => stroke_map::tone(&subject),
         (None, Constraint::StrokeMapPattern) => stroke_map::pattern(&subject),
     };
-    Report { findings: Constraint::ALL.iter().map(judge).collect() }
+    Report { findings: Constraint::ALL.par_iter().map(judge).collect() }
 }
 
 #[cfg(test)]

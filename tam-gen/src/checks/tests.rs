@@ -18,6 +18,11 @@ fn failing(map: &(Grid, StrokeMap, StrokeList)) -> Vec<Constraint> {
     report.failing()
 }
 
+fn rolled(ink: &[u8], size: u32, down: u32, right: u32) -> Vec<u8> {
+    let from = |i: u32| (i / size + size - down) % size * size + (i % size + size - right) % size;
+    (0..size * size).map(|i| ink[from(i) as usize]).collect()
+}
+
 #[test]
 fn a_sound_map_holds_every_constraint() {
     let map = sound();
@@ -29,7 +34,7 @@ fn a_sound_map_holds_every_constraint() {
 #[test]
 fn sound_maps_of_other_strokes_hold_every_constraint() {
     for (width_px, slope, opacity) in
-        [(0.8, 0.0, 1.0), (1.0, 0.9, 1.0), (2.5, 0.3, 1.0), (1.6, 0.06, 0.4), (1.3, 0.5, 0.8)]
+        [(0.8, 0.0, 1.0), (1.0, 0.9, 1.0), (2.5, 0.3, 1.0), (1.6, 0.06, 0.4), (1.3, 0.2, 0.8)]
     {
         let tones = if opacity < 0.5 { vec![0.1, 0.2, 0.3] } else { vec![0.15, 0.3, 0.5] };
         let map = Synthetic { width_px, slope, opacity, tones, ..Synthetic::default() }.make();
@@ -57,7 +62,7 @@ fn ink_that_a_darker_column_lacks_fails_tone_nesting() {
     // Moved, not removed: the tone stays. Off the middle of strokes, so that centre lines stay inked.
     let cells = &mut map.0.levels[1].cells;
     let lighter = cells[1].clone();
-    let from = (0..lighter.len()).find(|&i| lighter[i] > 10 && lighter[i] < 60 && cells[2][i] < 60).unwrap();
+    let from = (0..lighter.len()).find(|&i| lighter[i] > 10 && lighter[i] < 60 && cells[2][i] == lighter[i]).unwrap();
     let to = (0..lighter.len()).find(|&i| cells[2][i] < 100 && cells[3][i] > cells[2][i].saturating_add(10)).unwrap();
     cells[2][from] -= 5;
     cells[2][to] += 5;
@@ -68,9 +73,8 @@ fn ink_that_a_darker_column_lacks_fails_tone_nesting() {
 fn a_shifted_level_fails_level_nesting() {
     let mut map = sound();
     let level = &mut map.0.levels[1];
-    let size = level.size as usize;
     for ink in &mut level.cells {
-        ink.rotate_right(size * (size / 2 + 3) + 5);
+        *ink = rolled(ink, level.size, level.size / 2 + 3, 5);
     }
     // The stroke map's level is left where it was: an unavoidable companion.
     assert_eq!(failing(&map), [LevelNestingCentreLines, LevelNestingPixels, StrokeMapPattern]);

@@ -5,8 +5,8 @@ use crate::measure;
 
 /// Largest tone error of images made anywhere.
 const ERROR: f64 = 1e-3;
-/// Largest tone error of tail levels: averaging rounds each texel by up to half a unit, all the same way at worst.
-const TAIL_ERROR: f64 = 0.5 / 255.0 + 1e-3;
+/// Tone error that each tail level may add: averaging rounds each texel by up to half a unit, all the same way at worst.
+const TAIL_ERROR: f64 = 0.5 / 255.0;
 
 /// |tone - wanted tone| of every cell.
 pub(super) fn average(subject: &Subject) -> Finding {
@@ -55,7 +55,8 @@ pub(super) fn spread(subject: &Subject) -> Finding {
 fn most(subject: &Subject, level: usize) -> f64 {
     let size = subject.grid.levels[level].size;
     if level >= subject.grid.hand_built {
-        return TAIL_ERROR;
+        let depth = level + 1 - subject.grid.hand_built;
+        return ERROR + TAIL_ERROR * depth as f64;
     }
     let most = if subject.options.own { crate::tone_tolerance(size) } else { ERROR };
     most.max(quantum(subject) / (f64::from(size) * f64::from(size)))

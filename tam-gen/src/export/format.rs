@@ -54,7 +54,7 @@ impl Format {
     pub const fn describe(self) -> &'static str {
         match self {
             Self::Ktx2 => "KTX2 texture array, R8 with zstd, exact: wgpu, Bevy, Vulkan, OpenGL; the master file",
-            Self::Ktx2Bc4 => "KTX2 texture array, BC4: half the GPU memory, nesting only nearly exact; desktop GPUs",
+            Self::Ktx2Bc4 => "KTX2 texture array, BC4: half the GPU memory, nested, tones nearly exact; desktop GPUs",
             Self::DdsArray => "DDS texture array, R8: Godot 4 loads it directly; DirectX",
             Self::DdsSlices => "one DDS per tone, R8 with all levels: Unity, Unreal",
             Self::RgbaPacked => "KTX2 textures with three tones each in R, G, B (Praun's packing): three.js, WebGL",

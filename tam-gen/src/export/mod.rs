@@ -76,7 +76,7 @@ pub fn export(
 ) -> Result<Vec<WrittenFile>, ExportError> {
     check_name(name)?;
     plan::check_map(map)?;
-    let preset_toml = toml::to_string(&map.preset).map_err(|error| ExportError::Map(format!("its preset: {error}")))?;
+    let preset_toml = map.preset.to_toml();
     let planned = plan::plan(map, name, options, &preset_toml)?;
     let manifest_path = format!("{name}.json");
 

@@ -225,14 +225,11 @@ fn bc4_array(map: &Map, preset_toml: &str) -> Result<Content, String> {
         levels: compressed.levels,
         key_values: key_values(map, preset_toml)?,
     };
-    let remark = if compressed.violations == 0 {
-        "; nesting holds at every texel".into()
-    } else {
-        format!(
-            "; the compression breaks nesting at {} of {} texels, by up to {}/255",
-            compressed.violations, compressed.compared, compressed.worst
-        )
+    let nesting = match compressed.violations {
+        0 => "nesting holds at every texel".into(),
+        count => format!("nesting breaks at {count} texels"),
     };
+    let remark = format!("; {nesting}, tones are off by up to {:.4}", compressed.tone_error);
     Ok(Content { bytes: ktx2::write(&texture).map_err(|error| error.to_string())?, remark })
 }
 

@@ -1,8 +1,9 @@
 //! Whether the strokes of a level are kept by the next finer one, judged on pixels alone.
 //!
 //! Strokes keep their width in texels, so they are twice as wide in uv one level up: that the fine texels under a dark
-//! coarse texel are dark cannot be asked. What can: a coarse texel of at least half ink holds the middle of a stroke, and
-//! the same stroke passes through the 4x4 finer texels centred on the coarse texel's four children.
+//! coarse texel are dark cannot be asked. What can: a coarse texel of at least half ink lies within half a width of the
+//! middle of a stroke, and the same stroke passes through the finer texels around it: for strokes of up to two texels
+//! the 4x4 centred on the coarse texel's four children, for wider ones so many more as they are wider.
 
 /// What became of the inked texels of a coarse image in the next finer one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -30,22 +31,31 @@ impl LevelNesting {
 /// Slack of the finer level's threshold, for ink rounded at every stroke that passes a texel.
 const ROUNDING: u8 = 2;
 
+/// How many finer texels to either side of a coarse texel's middle to look at, for strokes of a width in texels.
+///
+/// A coarse texel of half ink is up to half a coarse width, one fine width, from the middle of its stroke, of which the fine
+/// stroke covers half a width; one texel more for the raster. 2, a window of 4x4, up to a width of 2.
+pub fn level_nesting_reach(width_px: f64) -> u32 {
+    (0.5 * width_px + 1.0).ceil().clamp(2.0, 64.0) as u32
+}
+
 /// Compares a coarse image with the next finer one of twice its side.
 ///
+/// `reach` is that of [`level_nesting_reach`].
 /// `half_ink` is half the ink of a fully covered texel, the same for both (see [`super::full_ink`]); 128 for solid ink.
 /// Accuracy: correctly nested maps lose up to a few per cent of `control`, where several thin edges add up to half ink.
 ///
 /// # Panics
 ///
 /// If the finer image has not twice the side of the coarse one.
-pub fn level_nesting(coarse: &[u8], coarse_size: u32, fine: &[u8], half_ink: u8) -> LevelNesting {
+pub fn level_nesting(coarse: &[u8], coarse_size: u32, fine: &[u8], half_ink: u8, reach: u32) -> LevelNesting {
     let fine_size = fine_size(coarse, coarse_size, fine);
     let roll = (fine_size / 2 + 3, fine_size / 2 + 5);
     let mut nesting = LevelNesting::default();
     for (index, _) in coarse.iter().enumerate().filter(|(_, ink)| **ink >= half_ink.max(1)) {
         nesting.inked += 1;
-        nesting.lost += usize::from(is_lost(index, coarse_size, fine, half_ink, (0, 0)));
-        nesting.lost_by_chance += usize::from(is_lost(index, coarse_size, fine, half_ink, roll));
+        nesting.lost += usize::from(is_lost(index, coarse_size, fine, half_ink, reach, (0, 0)));
+        nesting.lost_by_chance += usize::from(is_lost(index, coarse_size, fine, half_ink, reach, roll));
     }
     nesting
 }
@@ -55,10 +65,11 @@ pub fn level_nesting(coarse: &[u8], coarse_size: u32, fine: &[u8], half_ink: u8)
 /// # Panics
 ///
 /// If the finer image has not twice the side of the coarse one.
-pub fn lost_texels(coarse: &[u8], coarse_size: u32, fine: &[u8], half_ink: u8) -> Vec<bool> {
+pub fn lost_texels(coarse: &[u8], coarse_size: u32, fine: &[u8], half_ink: u8, reach: u32) -> Vec<bool> {
     fine_size(coarse, coarse_size, fine);
-    let lost =
-        |(index, ink): (usize, &u8)| *ink >= half_ink.max(1) && is_lost(index, coarse_size, fine, half_ink, (0, 0));
+    let lost = |(index, ink): (usize, &u8)| {
+        *ink >= half_ink.max(1) && is_lost(index, coarse_size, fine, half_ink, reach, (0, 0))
+    };
     coarse.iter().enumerate().map(lost).collect()
 }
 
@@ -67,14 +78,16 @@ fn fine_size(coarse: &[u8], coarse_size: u32, fine: &[u8]) -> u32 {
     2 * coarse_size
 }
 
-fn is_lost(index: usize, coarse_size: u32, fine: &[u8], half_ink: u8, roll: (u32, u32)) -> bool {
+fn is_lost(index: usize, coarse_size: u32, fine: &[u8], half_ink: u8, reach: u32, roll: (u32, u32)) -> bool {
     let fine_size = 2 * coarse_size as usize;
     let (x, y) = (index % coarse_size as usize, index / coarse_size as usize);
     let enough = half_ink.saturating_sub(ROUNDING).max(1);
-    // One texel before the children, kept positive by a whole tile.
-    let (left, top) = (2 * x + fine_size - 1 + roll.0 as usize, 2 * y + fine_size - 1 + roll.1 as usize);
-    (0..4).all(|dy| {
+    let reach = (reach as usize).min(fine_size / 2);
+    // From the first child, kept positive by a whole tile.
+    let (left, top) =
+        (2 * x + 1 + fine_size - reach + roll.0 as usize, 2 * y + 1 + fine_size - reach + roll.1 as usize);
+    (0..2 * reach).all(|dy| {
         let row = (top + dy) % fine_size * fine_size;
-        (0..4).all(|dx| fine[row + (left + dx) % fine_size] < enough)
+        (0..2 * reach).all(|dx| fine[row + (left + dx) % fine_size] < enough)
     })
 }

@@ -17,7 +17,7 @@ mod width;
 pub use centre_lines::{CentreLines, centre_line_floor, centre_lines, missing_centre_lines};
 pub use ink::{full_ink, share_at_least};
 pub use length::{LengthBias, length_bias};
-pub use level_nesting::{LevelNesting, level_nesting, lost_texels};
+pub use level_nesting::{LevelNesting, level_nesting, level_nesting_reach, lost_texels};
 pub use seam::{Seam, line_differences, seam};
 pub use stroke_map::{PatternMatch, pattern_match, pattern_mismatch, threshold_share};
 pub use tone::{ToneErrors, tone_errors, tones};

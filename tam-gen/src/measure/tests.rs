@@ -60,13 +60,13 @@ fn tone_nesting_counts_texels_that_grow_lighter() {
 fn level_nesting_tells_nested_images_from_unrelated_ones() {
     let (grid, ..) = Synthetic::default().make();
     let (fine, coarse) = (&grid.levels[0], &grid.levels[1]);
-    let nested = level_nesting(&coarse.cells[0], coarse.size, &fine.cells[0], 128);
+    let nested = level_nesting(&coarse.cells[0], coarse.size, &fine.cells[0], 128, 2);
     assert!(nested.control() > 0.2 && nested.share() < 0.01, "{nested:?}");
     let mut rolled = fine.cells[0].clone();
     rolled.rotate_left((fine.size * (fine.size / 2 + 7) + 11) as usize);
-    let unrelated = level_nesting(&coarse.cells[0], coarse.size, &rolled, 128);
+    let unrelated = level_nesting(&coarse.cells[0], coarse.size, &rolled, 128, 2);
     assert!(unrelated.share() > 0.5 * unrelated.control(), "{unrelated:?}");
-    let marked = lost_texels(&coarse.cells[0], coarse.size, &rolled, 128);
+    let marked = lost_texels(&coarse.cells[0], coarse.size, &rolled, 128, 2);
     assert_eq!(marked.iter().filter(|lost| **lost).count(), unrelated.lost);
 }
 
@@ -102,9 +102,9 @@ fn stroke_width_is_that_of_lines_of_known_width_at_any_angle() {
             for axis in [Axis::X, Axis::Y] {
                 let ink = image_of(&[line(0.37, slope, axis, width_px), line(0.87, slope, axis, width_px)], SIZE);
                 let found = stroke_width(&ink, SIZE, full_ink(&ink), |_, _| true);
-                // Below 1.5 texels bilinear filtering widens; see the function's own accuracy.
-                let tolerance = if width_px < 1.5 { 0.35 } else { 0.2 };
-                let error = found.median_px - f64::from(width_px);
+                // Strokes of less than a texel and a half never or seldom cover one; see the function's own accuracy.
+                let tolerance = if width_px < 1.5 { 0.45 } else { 0.15 };
+                let error = found.width_px - f64::from(width_px);
                 assert!(error.abs() < tolerance, "width {width_px}, slope {slope}, {axis:?}: {found:?}");
             }
         }
@@ -115,9 +115,9 @@ fn stroke_width_is_that_of_lines_of_known_width_at_any_angle() {
 fn stroke_width_grows_with_the_strokes() {
     let median = |width_px| {
         let ink = image_of(&[line(0.2, 0.2, Axis::X, width_px), line(0.7, 0.2, Axis::X, width_px)], SIZE);
-        stroke_width(&ink, SIZE, full_ink(&ink), |_, _| true).median_px
+        stroke_width(&ink, SIZE, full_ink(&ink), |_, _| true).width_px
     };
-    for width_px in [1.0, 1.6, 3.0] {
+    for width_px in [1.6, 2.0, 3.0] {
         assert!(median(1.25 * width_px) > 1.12 * median(width_px), "{width_px}");
     }
 }

@@ -7,13 +7,17 @@ use crate::stroke::{Stroke, wrap_unit};
 const COLUMNS: usize = 32;
 /// Rows across the strokes; a stroke's place is settled to one of them and jittered within it.
 const ROWS: std::ops::RangeInclusive<usize> = 64..=4096;
+/// Core of the kernel in stroke widths.
+const CORE_WIDTHS: f32 = 2.0;
 /// Height of the noise an empty field starts with, in kernels: enough to break ties, too little to steer.
 const NOISE: f32 = 1e-3;
 
 /// Ink density along a family: `COLUMNS` columns along the strokes, each with `rows` rows across them, on the torus.
 ///
-/// Every stroke adds the kernel `1 / (d + w/2)` across itself, `d` and `w` in tiles. Its long tail is what spaces strokes at
-/// all scales at once: the nearest stroke counts most, but a crowd far away counts too.
+/// Every stroke adds the kernel `1 / (d + 2 w)` across itself, `d` and `w` in tiles. Its long tail is what spaces strokes at
+/// all scales at once: the nearest stroke counts most, but a crowd far away counts too. A sharper core spaces neighbours
+/// better and crowds worse: with `w/2` the low-frequency share at mid-tones was a tenth higher, and a faster decay
+/// was worse by every measure.
 #[derive(Debug, Clone)]
 pub(super) struct DensityField {
     rows: usize,
@@ -29,9 +33,8 @@ impl DensityField {
     /// An empty field for strokes of the given width on a map of the given finest size.
     pub(super) fn new(size: u32, width_px: f32, draw: &Draw) -> Self {
         let rows = (size as usize).clamp(*ROWS.start(), *ROWS.end());
-        let half_width = 0.5 * width_px / size as f32;
-        let kernel: Vec<f32> =
-            (0..rows).map(|row| 1.0 / (row.min(rows - row) as f32 / rows as f32 + half_width)).collect();
+        let core = CORE_WIDTHS * width_px / size as f32;
+        let kernel: Vec<f32> = (0..rows).map(|row| 1.0 / (row.min(rows - row) as f32 / rows as f32 + core)).collect();
         let mut draw = draw.clone();
         draw.seek(u32::MAX - 1);
         // One number per row and column would cost more than a map's search; a few hundred, laid out twice, tell rows apart.

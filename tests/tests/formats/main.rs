@@ -6,6 +6,7 @@ mod atomic;
 mod damaged;
 mod foreign;
 mod others;
+mod presets;
 mod round_trip;
 mod sample;
 mod sheets;

@@ -13,7 +13,7 @@ const LABEL_GAP: u32 = 5;
 const LABEL_SPACE: u32 = 6;
 /// Least width for title and description.
 const TEXT_WIDTH: u32 = 400;
-/// Cells lower than this have their level's label in one line.
+/// Beside cells lower than this, a level's size and remarks share one line.
 const LOW: u32 = 40;
 
 /// The places of all cells and texts.
@@ -143,22 +143,19 @@ fn figures<'a>(word: &'a str, tones: &'a [f64]) -> [Box<dyn Fn(usize) -> String 
     ]
 }
 
-/// What stands at the left of a level, line by line.
+/// What stands at the left of a level, line by line; low cells leave room for two lines.
 fn level_label(grid: &Grid, level: usize, shown: u32) -> Vec<(Style, String)> {
     let size = grid.levels[level].size;
-    let tail = level >= grid.hand_built;
-    if size.min(shown) < LOW {
-        return vec![
-            (LABEL, format!("level {level}")),
-            (FIGURE, format!("{size} px{}", if tail { ", filtered" } else { "" })),
-        ];
-    }
-    let mut lines = vec![(LABEL, format!("level {level}")), (FIGURE, format!("{size} px"))];
-    if tail {
-        lines.push((FIGURE, "filtered".into()));
+    let mut remarks = vec![format!("{size} px")];
+    if level >= grid.hand_built {
+        remarks.push("filtered".into());
     }
     if shown < size {
-        lines.push((FIGURE, format!("shown at 1/{}", size / shown)));
+        remarks.push(format!("shown at 1/{}", size / shown));
     }
-    lines
+    if size.min(shown) < LOW {
+        remarks = vec![remarks.join(", ")];
+    }
+    let remarks = remarks.into_iter().map(|remark| (FIGURE, remark));
+    [(LABEL, format!("level {level}"))].into_iter().chain(remarks).collect()
 }
