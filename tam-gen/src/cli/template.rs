@@ -23,10 +23,10 @@ pub(super) fn commented(preset: &Preset) -> String {
             if let Some(remark) = description(&table, None) {
                 explain(&mut text, &mut explained, &remark);
             }
-        } else if let Some((key, _)) = line.split_once(" = ") {
-            if let Some(remark) = description(&table, Some(key)) {
-                explain(&mut text, &mut explained, &remark);
-            }
+        } else if let Some((key, _)) = line.split_once(" = ")
+            && let Some(remark) = description(&table, Some(key))
+        {
+            explain(&mut text, &mut explained, &remark);
         }
         text.push_str(line);
         text.push('\n');
@@ -57,7 +57,19 @@ fn description(table: &[String], key: Option<&str>) -> Option<String> {
             .and_then(|keys| keys.get(step))
             .or_else(|| properties.get("additionalProperties"))?;
     }
-    node.get("description").or_else(|| resolved(node).get("description")).and_then(Value::as_str).map(str::to_owned)
+    let described = node.get("description").or_else(|| resolved(node).get("description"))?.as_str()?;
+    Some(described.to_owned() + &choices(resolved(node)))
+}
+
+/// The words that an option may be, and what each of them means.
+fn choices(node: &Value) -> String {
+    let choices = node.get("oneOf").and_then(Value::as_array);
+    let text = |choice: &Value, key: &str| choice.get(key).and_then(Value::as_str).map(str::to_owned);
+    choices
+        .into_iter()
+        .flatten()
+        .filter_map(|choice| Some(format!(" \"{}\": {}", text(choice, "const")?, text(choice, "description")?)))
+        .collect()
 }
 
 fn resolved(node: &Value) -> &Value {
@@ -89,10 +101,12 @@ mod tests {
     fn a_commented_preset_is_the_preset_with_every_option_explained() {
         let preset = Preset::default();
         let text = commented(&preset);
+        let flat = text.replace("\n# ", " ");
         assert_eq!(Preset::from_toml(&text, "template").as_ref(), Ok(&preset));
         for range in tam_gen::preset::RANGES.iter().filter(|range| range.table != "tip") {
             assert!(text.contains(&format!("\n{} = ", range.key)), "{} is missing", range.key);
-            assert!(text.contains(&range.describe()), "the range of {} is missing", range.key);
+            assert!(flat.contains(&range.describe()), "the range of {} is missing", range.key);
         }
+        assert!(flat.contains("\"praun\": "), "the choices of placement.method are missing");
     }
 }
