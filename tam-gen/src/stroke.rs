@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::preset::StrokeOptions;
+
 /// The axis of the tile along which a stroke is scanned: the one nearer to its direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -71,6 +73,30 @@ impl Stroke {
                 self.along_uv * (1.0 + slope * slope).sqrt() / f32::from(PARTS)
             })
             .sum()
+    }
+}
+
+/// How the pressure rises and falls along the strokes of a family.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taper {
+    /// Part of the stroke over which the pressure rises, `0.0 ..= 1.0`.
+    pub rise: f32,
+    /// Part of the stroke over which the pressure falls, `0.0 ..= 1.0`.
+    pub fall: f32,
+}
+
+impl Taper {
+    /// The taper of a family; `reversed` families run against their scan axis, so that their ends change places.
+    pub fn new(options: &StrokeOptions, reversed: bool) -> Self {
+        let (rise, fall) = (options.taper_in as f32, options.taper_out as f32);
+        if reversed { Self { rise: fall, fall: rise } } else { Self { rise, fall } }
+    }
+
+    /// Pressure at `t` of the stroke, `0.0 ..= 1.0`: a parabola over each end, as a pen lands and lifts.
+    #[inline]
+    pub fn pressure(self, t: f32) -> f32 {
+        let ease = |part: f32, over: f32| if part < over { (part / over) * (2.0 - part / over) } else { 1.0 };
+        ease(t, self.rise).min(ease(1.0 - t, self.fall))
     }
 }
 

@@ -63,7 +63,7 @@ pub(crate) fn draw_levels(
                 let family = usize::from(best.family);
                 let before = scratch[l].canvas.sum();
                 for finer in 0..=l {
-                    let LevelScratch { canvas, thresholds, footprint } = &mut scratch[finer];
+                    let LevelScratch { canvas, thresholds, footprint, .. } = &mut scratch[finer];
                     plan.nibs[family].footprint(&best, levels[finer].size, &grains[finer][family], footprint);
                     canvas.draw(footprint, plan.measure);
                     thresholds.add(footprint, plan.nibs[family].opacity);

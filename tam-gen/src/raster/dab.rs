@@ -1,12 +1,12 @@
 //! A dot: a disc with exact chords in four sub-columns per texel.
 
-use super::{Footprint, Nib};
+use super::{Footprint, Nib, Part};
 use crate::stroke::{Axis, Stroke};
 
 const SUB_COLUMNS: i32 = 4;
 
 /// Adds the texels of a dot to the footprint. Its area errs by less than 5 % at a diameter of one texel.
-pub(super) fn disc(nib: &Nib, stroke: &Stroke, size: u32, out: &mut Footprint) {
+pub(super) fn disc(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut Footprint) {
     let side = size as f32;
     let mask = size as i32 - 1;
     let (along_stride, across_stride) = match stroke.axis {
@@ -29,7 +29,7 @@ pub(super) fn disc(nib: &Nib, stroke: &Stroke, size: u32, out: &mut Footprint) {
             let below = across - row as f32;
             let area: f32 =
                 half_chord.iter().map(|half| (below + half).clamp(0.0, 1.0) - (below - half).clamp(0.0, 1.0)).sum();
-            let ink = (area / SUB_COLUMNS as f32 * 255.0 * nib.opacity + 0.5) as u8;
+            let ink = (area / SUB_COLUMNS as f32 * 255.0 * nib.opacity * part.strength + 0.5) as u8;
             if ink > 0 {
                 out.push((column & mask) as u32 * along_stride + (row & mask) as u32 * across_stride, ink);
             }

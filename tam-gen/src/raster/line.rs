@@ -1,6 +1,6 @@
 //! A plain line: exact area coverage by scanning along it.
 
-use super::{Footprint, Nib};
+use super::{Footprint, Nib, Part};
 use crate::stroke::{Axis, Stroke};
 
 /// Slope under which an edge counts as level within one scan column; the coverage errs by at most an eighth of it.
@@ -10,7 +10,7 @@ const LEVEL_SLOPE: f32 = 0.02;
 ///
 /// In each scan column the stroke is a band between two parallel slanted edges, whose area over each texel is exact.
 /// Width and slope are taken at the column's middle.
-pub(super) fn scan(nib: &Nib, stroke: &Stroke, size: u32, out: &mut Footprint) {
+pub(super) fn scan(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut Footprint) {
     let side = size as f32;
     let mask = size as i32 - 1;
     let (along_stride, across_stride) = match stroke.axis {
@@ -28,9 +28,7 @@ pub(super) fn scan(nib: &Nib, stroke: &Stroke, size: u32, out: &mut Footprint) {
         let filled = to - from;
         let t = (0.5 * (from + to) - begin) * t_per_px;
         let slope = stroke.slope_at(t);
-        let pressure = nib.pressure(t);
-        let narrowed = pressure + (1.0 - pressure) * nib.taper_fade;
-        let lightened = 1.0 - (1.0 - pressure) * nib.taper_fade;
+        let (narrowed, lightened) = nib.pressed(part, t);
         let half = 0.5 * stroke.width_px * narrowed * (1.0 + slope * slope).sqrt();
         let middle = stroke.across_at(t) * side;
         let ink_of_area = 255.0 * nib.opacity * lightened * filled;

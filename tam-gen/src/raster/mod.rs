@@ -17,15 +17,13 @@ pub use grain::Grain;
 pub use tip::{TipError, TipMask};
 
 use crate::preset::StrokeOptions;
-use crate::stroke::Stroke;
+use crate::stroke::{Stroke, Taper};
 
 /// What draws the strokes of one family: the options they share, ready for the inner loops.
 #[derive(Debug, Clone)]
 pub struct Nib {
-    /// Part of the stroke over which the pressure rises.
-    pub taper_in: f32,
-    /// Part of the stroke over which the pressure falls.
-    pub taper_out: f32,
+    /// How the pressure rises and falls.
+    pub taper: Taper,
     /// 0: pressure narrows the stroke, 1: pressure lightens it.
     pub taper_fade: f32,
     /// Ink of a fully covered texel, `0.0 ..= 1.0`.
@@ -42,13 +40,8 @@ impl Nib {
     /// # Errors
     /// When the tip's path or picture cannot be read.
     pub fn new(stroke: &StrokeOptions, reversed: bool) -> Result<Self, TipError> {
-        let (mut taper_in, mut taper_out) = (stroke.taper_in as f32, stroke.taper_out as f32);
-        if reversed {
-            std::mem::swap(&mut taper_in, &mut taper_out);
-        }
         Ok(Self {
-            taper_in,
-            taper_out,
+            taper: Taper::new(stroke, reversed),
             taper_fade: stroke.taper_fade as f32,
             opacity: stroke.opacity as f32,
             tip: stroke.tip.as_ref().map(TipMask::new).transpose()?,
@@ -56,26 +49,54 @@ impl Nib {
         })
     }
 
-    /// Pressure at `t` of the stroke, `0.0 ..= 1.0`: a parabola over each taper, as a pen lands and lifts.
-    #[inline]
-    pub fn pressure(&self, t: f32) -> f32 {
-        let ease = |part: f32, taper: f32| if part < taper { (part / taper) * (2.0 - part / taper) } else { 1.0 };
-        ease(t, self.taper_in).min(ease(1.0 - t, self.taper_out))
-    }
-
     /// The ink that the stroke lays on an empty level, texel by texel, in order along its scan axis.
     ///
     /// `size` is the side of the level, a power of two. Everything wraps around the tile's edges. The same bytes come out
     /// on every machine: only IEEE-exact operations are used.
     pub fn footprint(&self, stroke: &Stroke, size: u32, grain: &Grain, out: &mut Footprint) {
+        self.footprint_of_part(stroke, Part::WHOLE, size, grain, out);
+    }
+
+    /// The ink of a part of the stroke; at no texel more than the whole stroke's, rounding aside.
+    pub fn footprint_of_part(&self, stroke: &Stroke, part: Part, size: u32, grain: &Grain, out: &mut Footprint) {
         out.clear();
         match &self.tip {
-            Some(tip) => tip::stamp(self, tip, stroke, size, out),
-            None if stroke.along_uv == 0.0 => dab::disc(self, stroke, size, out),
-            None => line::scan(self, stroke, size, out),
+            Some(tip) => tip::stamp(self, tip, stroke, part, size, out),
+            None if stroke.along_uv == 0.0 => dab::disc(self, stroke, part, size, out),
+            None => line::scan(self, stroke, part, size, out),
         }
         grain.withhold(out);
     }
+
+    /// How pressure shows at `t` of a part of a stroke: the share of the width, and the share of the ink on it. Their
+    /// product is the pressure.
+    #[inline]
+    fn pressed(&self, part: Part, t: f32) -> (f32, f32) {
+        let mut pressure = self.taper.pressure(t);
+        if part.end < 1.0 {
+            let falling = ((part.end - t) / part.end.min(PART_FALL.max(self.taper.fall))).clamp(0.0, 1.0);
+            pressure = pressure.min(falling * (2.0 - falling));
+        }
+        let width = pressure + (1.0 - pressure) * self.taper_fade;
+        if width > 0.0 { (width, pressure / width * part.strength) } else { (0.0, 0.0) }
+    }
+}
+
+/// Least part of a stroke over which a piece of it runs out.
+const PART_FALL: f32 = 0.15;
+
+/// A piece of a stroke, from its start, drawn at some strength.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Part {
+    /// Where the piece has run out, as `t` of the stroke, `0.0 ..= 1.0`.
+    pub end: f32,
+    /// Share of the ink it lays down, `0.0 ..= 1.0`.
+    pub strength: f32,
+}
+
+impl Part {
+    /// All of a stroke.
+    pub const WHOLE: Part = Part { end: 1.0, strength: 1.0 };
 }
 
 /// Ink of a texel after more ink comes over it: both in `0 ..= 255`, rounded to nearest. Never less than either.

@@ -15,7 +15,7 @@ fn outline(nib: &Nib, stroke: &Stroke) -> Option<Path> {
     let side = SIZE as f32;
     let point = |t: f32, sign: f32| {
         let slope = stroke.slope_at(t);
-        let half = 0.5 * stroke.width_px * nib.pressure(t) * (1.0 + slope * slope).sqrt();
+        let half = 0.5 * stroke.width_px * nib.taper.pressure(t) * (1.0 + slope * slope).sqrt();
         let along = (stroke.start_uv + t * stroke.along_uv) * side;
         let across = stroke.across_at(t) * side + sign * half;
         if stroke.axis == Axis::X { (along, across) } else { (across, along) }

@@ -6,7 +6,7 @@ use base64::Engine as _;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 
-use super::{Footprint, Nib};
+use super::{Footprint, Nib, Part};
 use crate::preset::TipOptions;
 use crate::stroke::{Axis, Stroke};
 
@@ -194,7 +194,7 @@ fn shorten(text: &str) -> String {
 }
 
 /// Stamps a tip along a stroke; stamps of one stroke unite by their maximum, so that their number does not matter.
-pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, size: u32, out: &mut Footprint) {
+pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size: u32, out: &mut Footprint) {
     let side = size as f32;
     let mask = size as i32 - 1;
     let (along_stride, across_stride) = match stroke.axis {
@@ -219,9 +219,8 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, size: u32, out: &
     let stamps = (length / (nib.tip_spacing * stroke.width_px).max(0.25)).ceil() as i32 + 1;
     for stamp in 0..stamps {
         let t = if stamps > 1 { stamp as f32 / (stamps - 1) as f32 } else { 0.5 };
-        let pressure = if length > 0.0 { nib.pressure(t) } else { 1.0 };
-        let height = stroke.width_px * (pressure + (1.0 - pressure) * nib.taper_fade);
-        let lightened = 1.0 - (1.0 - pressure) * nib.taper_fade;
+        let (narrowed, lightened) = if length > 0.0 { nib.pressed(part, t) } else { (1.0, part.strength) };
+        let height = stroke.width_px * narrowed;
         if height < 0.05 {
             continue;
         }

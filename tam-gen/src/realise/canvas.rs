@@ -44,10 +44,17 @@ impl Canvas {
         self.sum += gain;
     }
 
-    /// Takes the stroke drawn last away again, and whatever was raised on its footprint since; `sum` is what the sum was
-    /// before.
+    /// Takes the stroke drawn last away again; `sum` is what the sum was before.
     pub(crate) fn undo(&mut self, footprint: &Footprint, sum: u64) {
-        for (texel, below) in footprint.texel.iter().zip(&self.under).rev() {
+        let under = std::mem::take(&mut self.under);
+        self.restore(footprint, &under, sum);
+        self.under = under;
+    }
+
+    /// Puts back the ink that was under a stroke.
+    pub(crate) fn restore(&mut self, footprint: &Footprint, under: &[u8], sum: u64) {
+        // Backwards: where a stroke meets itself, what was there first was noted first.
+        for (texel, below) in footprint.texel.iter().zip(under).rev() {
             self.ink[*texel as usize] = *below;
         }
         self.sum = sum;

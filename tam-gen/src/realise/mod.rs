@@ -13,7 +13,7 @@ use crate::map::DeficitCause;
 use crate::preset::ToneMeasure;
 use crate::raster::{Footprint, Grain, Nib};
 use crate::stroke::Stroke;
-use closing::close;
+use closing::Closing;
 
 /// Strokes between looks at the cancel flag, and over which progress towards a tone is judged.
 const WINDOW: u32 = 256;
@@ -105,6 +105,7 @@ pub(crate) struct LevelScratch {
     pub(crate) canvas: Canvas,
     pub(crate) thresholds: ThresholdCanvas,
     pub(crate) footprint: Footprint,
+    pub(crate) piece: Footprint,
 }
 
 /// Draws all cells of a level, lightest first.
@@ -119,7 +120,7 @@ pub(crate) fn realise_level(
     scratch: &mut LevelScratch,
     cells: &mut Vec<Vec<u8>>,
 ) -> Result<Counts, GenerateError> {
-    let LevelScratch { canvas, thresholds, footprint } = scratch;
+    let LevelScratch { canvas, thresholds, footprint, piece } = scratch;
     let grains = plan.grains(size);
     canvas.reset(size);
     thresholds.reset(size);
@@ -188,12 +189,16 @@ pub(crate) fn realise_level(
                     cell.deficit = Some(DeficitCause::Capped);
                 }
             }
-            let shown = close(canvas, footprint, plan.measure, limit, shown);
+            let under = canvas.under().to_vec();
+            let nib = &plan.nibs[usize::from(family)];
+            let partial =
+                Closing { stroke: &stroke, nib, grain: &grains[usize::from(family)], size, measure: plan.measure };
+            let shown = partial.draw(canvas, footprint, piece, limit, shown.as_deref());
             let part = ((canvas.sum() - before) as f64 / gain.max(1) as f64) as f32;
             cell.closing = Some((family, part));
             closing = Some((family, shown));
             snapshot(canvas, &mut cells[column]);
-            canvas.undo(footprint, before);
+            canvas.restore(footprint, &under, before);
             break;
         }
 

@@ -44,19 +44,22 @@ impl DensityField {
     }
 
     /// The row on which a stroke would meet the least density, and the mean density there. Ties go to the lowest row.
-    pub(super) fn emptiest_row(&mut self, shape: &Stroke) -> (f32, u32) {
+    ///
+    /// `pressure` tells how much each part of the stroke counts: a pointed end neither needs nor takes as much room.
+    pub(super) fn emptiest_row(&mut self, shape: &Stroke, pressure: impl Fn(f32) -> f32) -> (f32, u32) {
         self.under.fill(0.0);
-        let mut columns = 0;
-        for (column, offset) in columns_under(shape, self.rows) {
+        let mut counted = 0.0;
+        for (column, offset, t) in columns_under(shape, self.rows) {
+            let weight = pressure(t);
             let density = &self.density[column * self.rows..][..self.rows];
             let (wrapped, straight) = density.split_at(offset);
             let (head, tail) = self.under.split_at_mut(straight.len());
-            add(head, straight);
-            add(tail, wrapped);
-            columns += 1;
+            add_scaled(head, straight, weight);
+            add_scaled(tail, wrapped, weight);
+            counted += weight;
         }
         let (row, lowest) = lowest(&self.under);
-        (lowest / columns as f32, row as u32)
+        (lowest / counted, row as u32)
     }
 
     /// The offset across, in uv, of a row.
@@ -65,8 +68,9 @@ impl DensityField {
     }
 
     /// Adds a placed stroke. `weight` is its width over the family's.
-    pub(super) fn add(&mut self, stroke: &Stroke, weight: f32) {
-        for (column, row) in columns_under(stroke, self.rows) {
+    pub(super) fn add(&mut self, stroke: &Stroke, weight: f32, pressure: impl Fn(f32) -> f32) {
+        for (column, row, t) in columns_under(stroke, self.rows) {
+            let weight = weight * pressure(t);
             let density = &mut self.density[column * self.rows..][..self.rows];
             let (before, after) = density.split_at_mut(row);
             add_scaled(after, &self.kernel[..self.rows - row], weight);
@@ -75,8 +79,8 @@ impl DensityField {
     }
 }
 
-/// The columns under a stroke, with the row it crosses in the middle of each; at least one.
-fn columns_under(stroke: &Stroke, rows: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
+/// The columns under a stroke, with the row it crosses in the middle of each, and its `t` there; at least one.
+fn columns_under(stroke: &Stroke, rows: usize) -> impl Iterator<Item = (usize, usize, f32)> + use<> {
     let stroke = *stroke;
     let (begin, end) =
         (stroke.start_uv * COLUMNS as f32 - 0.5, (stroke.start_uv + stroke.along_uv) * COLUMNS as f32 - 0.5);
@@ -89,15 +93,8 @@ fn columns_under(stroke: &Stroke, rows: usize) -> impl Iterator<Item = (usize, u
         let along_uv = (column as f32 + 0.5) / COLUMNS as f32 - stroke.start_uv;
         let t = if stroke.along_uv > 0.0 { (along_uv / stroke.along_uv).clamp(0.0, 1.0) } else { 0.5 };
         let row = (wrap_unit(stroke.across_at(t)) * rows as f32) as usize;
-        (column.rem_euclid(COLUMNS as i32) as usize, row.min(rows - 1))
+        (column.rem_euclid(COLUMNS as i32) as usize, row.min(rows - 1), t)
     })
-}
-
-#[inline]
-fn add(sum: &mut [f32], more: &[f32]) {
-    for (sum, more) in sum.iter_mut().zip(more) {
-        *sum += more;
-    }
 }
 
 #[inline]
@@ -135,8 +132,8 @@ mod tests {
     #[test]
     fn the_emptiest_row_is_half_a_tile_from_a_lone_stroke() {
         let mut field = DensityField::new(256, 1.6, &Draw::new(1, "h"));
-        field.add(&level_stroke(0.2, 0.9, 0.25), 1.0);
-        let (_, row) = field.emptiest_row(&level_stroke(0.5, 0.4, 0.0));
+        field.add(&level_stroke(0.2, 0.9, 0.25), 1.0, |_| 1.0);
+        let (_, row) = field.emptiest_row(&level_stroke(0.5, 0.4, 0.0), |_| 1.0);
         assert!((f64::from(row) - 192.0).abs() <= 2.0, "{row}");
     }
 
@@ -144,9 +141,9 @@ mod tests {
     fn a_stroke_shorter_than_a_column_still_sees_and_is_seen() {
         let mut field = DensityField::new(64, 1.6, &Draw::new(1, "h"));
         let short = level_stroke(0.999, 0.001, 0.0);
-        let (before, _) = field.emptiest_row(&short);
-        field.add(&level_stroke(0.999, 0.001, 0.5), 1.0);
-        let (after, row) = field.emptiest_row(&short);
+        let (before, _) = field.emptiest_row(&short, |_| 1.0);
+        field.add(&level_stroke(0.999, 0.001, 0.5), 1.0, |_| 1.0);
+        let (after, row) = field.emptiest_row(&short, |_| 1.0);
         assert!(after > before);
         assert!(row < 8 || row > 56, "{row}");
     }

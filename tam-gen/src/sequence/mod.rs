@@ -11,7 +11,7 @@ pub use random::Draw;
 
 use crate::map::Family;
 use crate::preset::{PlacementMethod, Preset, StrokeOptions};
-use crate::stroke::Stroke;
+use crate::stroke::{Stroke, Taper};
 use density::DensityField;
 use direction::Direction;
 use dots::DotField;
@@ -20,11 +20,15 @@ use dots::DotField;
 /// that the eye knows from spirals.
 const LENGTH_STEP: f64 = 0.569_840_290_998;
 
+/// What the very tip of a stroke counts in the search.
+const LEAST_PRESSURE: f32 = 0.2;
+
 /// One family's strokes, generated on demand.
 #[derive(Debug, Clone)]
 pub struct Sequence {
     family: u16,
     direction: Direction,
+    taper: Taper,
     options: StrokeOptions,
     effort: u32,
     draw: Draw,
@@ -50,6 +54,7 @@ impl Sequence {
         let mut draw = Draw::new(preset.seed, name);
         draw.seek(u32::MAX);
         let first_length = draw.next();
+        let direction = Direction::new(angle_deg);
         let dots = options.length_max == 0.0;
         let field = match (preset.placement.method, dots) {
             (PlacementMethod::Random, _) => Field::None,
@@ -58,7 +63,8 @@ impl Sequence {
         };
         Self {
             family,
-            direction: Direction::new(angle_deg),
+            direction,
+            taper: Taper::new(options, direction.reversed),
             options: options.clone(),
             effort: preset.placement.effort,
             first_length,
@@ -105,16 +111,18 @@ impl Sequence {
                 shape
             }
             Field::Lines(field) => {
+                let taper = self.taper;
+                let pressure = |t| LEAST_PRESSURE.max(taper.pressure(t));
                 let (mut best, mut best_row, mut lowest) = (self.direction.blank(), 0, f32::INFINITY);
                 for _ in 0..self.effort {
                     let shape = self.direction.shape(&self.options, length, draw);
-                    let (density, row) = field.emptiest_row(&shape);
+                    let (density, row) = field.emptiest_row(&shape, pressure);
                     if density < lowest {
                         (best, best_row, lowest) = (shape, row, density);
                     }
                 }
                 best.across_uv[0] = field.uv_of_row(best_row as f32 + jitter_in_row);
-                field.add(&best, width_scale);
+                field.add(&best, width_scale, pressure);
                 best
             }
         };
