@@ -30,3 +30,8 @@ pub use job::Job;
 pub use map::{Closing, Deficit, DeficitCause, Family, Grid, Level, Map, StrokeList, StrokeMap, ThresholdLevel};
 pub use preset::Preset;
 pub use stroke::{Axis, Stroke};
+
+/// The examples of the project's front page, so that they keep working.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

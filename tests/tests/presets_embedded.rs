@@ -71,3 +71,11 @@ fn the_schema_states_every_range_once_declared() {
         assert!(described, "{table}.{key} has no range in words");
     }
 }
+
+#[test]
+fn the_preset_on_the_front_page_is_valid() {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    let readme = std::fs::read_to_string(readme).expect("the front page");
+    let source = readme.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a preset");
+    Preset::from_toml(source, "README.md").unwrap_or_else(|error| panic!("{error}"));
+}

@@ -30,6 +30,7 @@ fn an_unknown_key_is_placed_and_the_nearest_known_one_named() {
 #[test]
 fn a_key_in_the_wrong_table_is_sent_to_its_own() {
     assert!(problem("width_px = 2.0").expected.contains("belongs in [stroke]"));
+    assert!(problem("[map]\nschedule = [\"h\"]").expected.contains("belongs at the top"));
 }
 
 #[test]

@@ -36,7 +36,7 @@ impl Preset {
     pub fn load(path: impl AsRef<Path>) -> Result<Self, PresetError> {
         let path = path.as_ref();
         let origin = path.display().to_string();
-        let source = read_bounded(path).map_err(|problem| PresetError::new(&origin, "", vec![problem]))?;
+        let source = read_bounded(path).map_err(|problem| PresetError::new(&origin, "", vec![*problem]))?;
         read(&source, &origin, Some(path.parent().unwrap_or(Path::new(""))))
     }
 
@@ -56,17 +56,18 @@ impl Preset {
     }
 }
 
-fn read_bounded(path: &Path) -> Result<String, Problem> {
-    let failed = |message: String| Problem::general("", message);
-    let unreadable = |error: std::io::Error| failed(format!("cannot read the preset: {error}"));
+fn read_bounded(path: &Path) -> Result<String, Box<Problem>> {
+    let failed =
+        |message: String, help: Option<&str>| Box::new(Problem::general("", message).help(help.map(str::to_owned)));
+    let unreadable = |error: std::io::Error| failed(format!("cannot read the preset: {error}"), None);
     let metadata = std::fs::metadata(path).map_err(unreadable)?;
     if metadata.is_dir() {
-        return Err(failed("cannot read the preset: it is a folder".to_owned())
-            .help("give the preset file itself, or the name of a preset that comes with the tool".to_owned()));
+        let help = "give the preset file itself, or the name of a preset that comes with the tool";
+        return Err(failed("cannot read the preset: it is a folder".to_owned(), Some(help)));
     }
     let too_large = || {
-        failed(format!("the preset is larger than {} KiB", PRESET_BYTES_MAX >> 10))
-            .help("a preset is a few kilobytes of text: this is probably another file".to_owned())
+        let help = "a preset is a few kilobytes of text: this is probably another file";
+        failed(format!("the preset is larger than {} KiB", PRESET_BYTES_MAX >> 10), Some(help))
     };
     if metadata.len() > PRESET_BYTES_MAX {
         return Err(too_large());
@@ -78,8 +79,8 @@ fn read_bounded(path: &Path) -> Result<String, Problem> {
         return Err(too_large());
     }
     String::from_utf8(bytes).map_err(|error| {
-        failed(format!("the preset is not text: byte {} is no UTF-8", error.utf8_error().valid_up_to()))
-            .help("save it as UTF-8".to_owned())
+        let at = error.utf8_error().valid_up_to();
+        failed(format!("the preset is not text: byte {at} is no UTF-8"), Some("save it as UTF-8"))
     })
 }
 

@@ -144,11 +144,19 @@ impl Walk<'_> {
         let elsewhere = RANGES.iter().find(|range| range.key == word);
         problem = match (nearest(word, known.iter().copied()), elsewhere) {
             (Some(meant), _) => problem.expected(format!("did you mean `{meant}`?")),
+            (None, _) if !at.steps().is_empty() && is_at_top(word) => {
+                problem.expected(format!("`{word}` belongs at the top, before the first [table]"))
+            }
             (None, Some(range)) => problem.expected(format!("`{word}` belongs in [{}]", range.table)),
             (None, None) => problem.expected("unknown key"),
         };
         self.problems.push(problem.help(format!("the keys of {holder} are {}", known.join(", "))));
     }
+}
+
+/// Whether a key belongs to no table.
+fn is_at_top(word: &str) -> bool {
+    schema().get("properties").is_some_and(|keys| keys.get(word).is_some())
 }
 
 /// Follows a reference to the definition it names.

@@ -1,0 +1,170 @@
+//! Why a command could not do its work.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::builder::styling::{AnsiColor, Effects, Style};
+use serde_json::{Value, json};
+use tam_gen::GenerateError;
+use tam_gen::export::ExportError;
+use tam_gen::import::ImportError;
+use tam_gen::preset::PresetError;
+
+/// Why a command could not do its work; nothing was written.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The preset, or an option in place of its own, makes no sense.
+    Preset(PresetError),
+    /// No map can be made from the preset.
+    Generate {
+        /// Place in the preset.
+        at: String,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// The map cannot be read.
+    Source(ImportError),
+    /// The arguments make no sense.
+    Usage {
+        /// What is wrong.
+        message: String,
+        /// The way out.
+        help: Option<String>,
+    },
+    /// There is nowhere to write.
+    Output {
+        /// What is wrong.
+        message: String,
+        /// The way out.
+        help: Option<String>,
+    },
+    /// The user stopped it.
+    Interrupted,
+}
+
+impl Failure {
+    pub(super) fn usage(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::Usage { message: message.into(), help: Some(help.into()) }
+    }
+
+    /// A file that cannot be written.
+    pub(super) fn write(path: &Path, error: &std::io::Error) -> Self {
+        Self::Output {
+            message: format!("cannot write {}: {error}", path.display()),
+            help: Some("check the space left and the permissions, or choose another place with -o".to_owned()),
+        }
+    }
+
+    pub(super) fn exit_code(&self) -> ExitCode {
+        ExitCode::from(if matches!(self, Self::Interrupted) { 130 } else { 2 })
+    }
+
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Preset(_) | Self::Generate { .. } => "preset",
+            Self::Source(_) => "source",
+            Self::Usage { .. } => "usage",
+            Self::Output { .. } => "output",
+            Self::Interrupted => "interrupted",
+        }
+    }
+
+    fn message(&self) -> String {
+        match self {
+            Self::Preset(error) => in_a_line(error),
+            Self::Generate { at, problem } => format!("{at}: {problem}"),
+            Self::Source(error) => error.to_string(),
+            Self::Usage { message, .. } | Self::Output { message, .. } => message.clone(),
+            Self::Interrupted => "interrupted; nothing was written".to_owned(),
+        }
+    }
+
+    fn help(&self) -> Option<&str> {
+        match self {
+            Self::Usage { help, .. } | Self::Output { help, .. } => help.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// For people: one report with place, cause and way out.
+    pub(super) fn report(&self, coloured: bool) -> String {
+        if let Self::Preset(error) = self {
+            return error.report(coloured);
+        }
+        let paint = |word: &str, colour: AnsiColor| {
+            let style = if coloured { colour.on_default().effects(Effects::BOLD) } else { Style::new() };
+            format!("{style}{word}{style:#}")
+        };
+        let mut report = format!("{}: {}", paint("error", AnsiColor::Red), self.message());
+        if let Some(help) = self.help() {
+            report += &format!("\n{}: {help}", paint("help", AnsiColor::Cyan));
+        }
+        report
+    }
+
+    /// For machines.
+    pub(super) fn to_json(&self) -> Value {
+        let mut error = json!({ "kind": self.kind(), "message": self.message() });
+        if let Some(help) = self.help() {
+            error["help"] = help.into();
+        }
+        match self {
+            Self::Preset(preset) => {
+                if !preset.origin.is_empty() {
+                    error["file"] = preset.origin.as_str().into();
+                }
+                error["problems"] = json!(preset.problems);
+            }
+            Self::Generate { at, .. } => error["at"] = at.as_str().into(),
+            _ => {}
+        }
+        error
+    }
+}
+
+/// The first problem, and how many more there are.
+fn in_a_line(error: &PresetError) -> String {
+    let Some(first) = error.problems.first() else { return "the preset is not valid".to_owned() };
+    let mut line = first.message.clone();
+    if !first.expected.is_empty() {
+        line += &format!(": {}", first.expected);
+    }
+    match error.problems.len() - 1 {
+        0 => line,
+        1 => line + "; and 1 more problem",
+        more => line + &format!("; and {more} more problems"),
+    }
+}
+
+impl From<PresetError> for Failure {
+    fn from(error: PresetError) -> Self {
+        Self::Preset(error)
+    }
+}
+
+impl From<GenerateError> for Failure {
+    fn from(error: GenerateError) -> Self {
+        match error {
+            GenerateError::Cancelled => Self::Interrupted,
+            GenerateError::Preset { at, problem } => Self::Generate { at, problem },
+        }
+    }
+}
+
+impl From<ImportError> for Failure {
+    fn from(error: ImportError) -> Self {
+        Self::Source(error)
+    }
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        let help = match &error {
+            ExportError::Cancelled => return Self::Interrupted,
+            ExportError::Exists(_) => Some("--force replaces them, -o and --name choose another place".to_owned()),
+            ExportError::Name { .. } => Some("--name chooses another".to_owned()),
+            _ => None,
+        };
+        Self::Output { message: error.to_string(), help }
+    }
+}

@@ -1,0 +1,55 @@
+//! Writing single files whole or not at all.
+
+use std::io::Write;
+use std::path::Path;
+
+use super::failure::Failure;
+
+/// Writes a file so that it is there complete or not at all; replaces one only with `force`.
+pub(super) fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
+    check_free(path, force)?;
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let failed = |error: std::io::Error| Failure::write(path, &error);
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    let mut file = builder().tempfile_in(folder).map_err(failed)?;
+    file.write_all(bytes).map_err(failed)?;
+    if force {
+        file.persist(path).map_err(|error| Failure::write(path, &error.error))?;
+    } else {
+        // What appeared in the meantime is not replaced either.
+        file.persist_noclobber(path).map_err(|error| Failure::write(path, &error.error))?;
+    }
+    Ok(())
+}
+
+/// Refuses a place that is taken, before work is put into what should go there.
+pub(super) fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Err(Failure::Output {
+            message: format!("{} is a folder", path.display()),
+            help: Some("-o takes the file to write".to_owned()),
+        });
+    }
+    if !force && path.symlink_metadata().is_ok() {
+        return Err(Failure::Output {
+            message: format!("{} is already there", path.display()),
+            help: Some("--force replaces it, -o chooses another place".to_owned()),
+        });
+    }
+    Ok(())
+}
+
+/// A temporary file that, renamed, is as readable as any new file.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".tam-gen-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder
+}

@@ -1,0 +1,91 @@
+//! `tam-gen presets`.
+
+use std::path::PathBuf;
+
+use clap::Subcommand;
+use serde_json::{Value, json};
+use tam_gen::Preset;
+
+use super::failure::Failure;
+use super::output::Output;
+use super::summary::path_text;
+use super::template::commented;
+use super::{Outcome, files, source};
+
+const EXAMPLES: &str = "\
+Examples:
+  tam-gen presets                               what comes with the tool
+  tam-gen presets show pencil                   how it is made
+  tam-gen presets new mine                      mine.toml, every option explained
+  tam-gen presets new mine --from charcoal      starting from another one";
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct PresetsArgs {
+    #[command(subcommand)]
+    action: Option<Action>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Action {
+    /// List the presets that come with the tool
+    List,
+    /// Print a preset
+    Show {
+        /// A preset that comes with the tool, or the path of a preset file
+        #[arg(value_name = "NAME_OR_PATH")]
+        preset: PathBuf,
+    },
+    /// Write a preset to start from, every option explained
+    New {
+        /// Its name
+        #[arg(default_value = "my-preset")]
+        name: String,
+        /// The preset to start from
+        #[arg(long, value_name = "NAME_OR_PATH", default_value = "pencil")]
+        from: PathBuf,
+        /// File to write [default: NAME.toml here]
+        #[arg(short, long = "output", value_name = "FILE")]
+        out: Option<PathBuf>,
+        /// Replace a file that is there already
+        #[arg(long)]
+        force: bool,
+    },
+}
+
+pub(super) fn run(args: &PresetsArgs, output: &Output) -> Result<Outcome, Failure> {
+    match args.action.as_ref().unwrap_or(&Action::List) {
+        Action::List => list(output)?,
+        Action::Show { preset } => {
+            let embedded = Preset::embedded().iter().find(|(name, _)| preset.as_os_str() == *name);
+            let (name, preset) = source::preset(preset)?;
+            let text = embedded.map_or_else(|| preset.to_toml(), |(_, source)| (*source).to_owned());
+            output.result(&text, || json!({ "name": name, "preset": preset, "toml": text }))?;
+        }
+        Action::New { name, from, out, force } => {
+            let path = out.clone().unwrap_or_else(|| PathBuf::from(format!("{name}.toml")));
+            if out.is_none() && (name.is_empty() || name.contains(['/', '\\'])) {
+                return Err(Failure::usage(format!("{name:?} is no name"), "-o takes the path of the file"));
+            }
+            let (_, preset) = source::preset(from)?;
+            files::write(&path, commented(&preset).as_bytes(), *force)?;
+            let shown = path.display();
+            output.say(&format!("{shown}\n\nnext: tam-gen watch {shown}\n"))?;
+            output.object(&json!({ "path": path_text(&path) }))?;
+        }
+    }
+    Ok(Outcome::Holds)
+}
+
+fn list(output: &Output) -> Result<(), Failure> {
+    let mut presets = Vec::new();
+    for (name, source) in Preset::embedded() {
+        presets.push((*name, Preset::from_toml(source, name)?.description));
+    }
+    let width = presets.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let text: String = presets.iter().map(|(name, description)| format!("{name:<width$}  {description}\n")).collect();
+    output.result(&text, || {
+        let list = presets.iter().map(|(name, description)| json!({ "name": name, "description": description }));
+        json!({ "presets": list.collect::<Vec<Value>>() })
+    })
+}

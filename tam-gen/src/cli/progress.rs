@@ -1,0 +1,52 @@
+//! A bar for work that takes longer than a second, on a terminal.
+
+use std::io::IsTerminal;
+use std::sync::Once;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// How long work may take without a bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Steps of the bar.
+const STEPS: u64 = 1000;
+
+/// A bar that stays hidden until the work turns out to be long.
+pub(super) struct Progress {
+    bar: ProgressBar,
+    started: Instant,
+    wanted: bool,
+    shown: Once,
+}
+
+impl Progress {
+    pub(super) fn new(quiet: bool) -> Self {
+        let wanted = !quiet && std::io::stderr().is_terminal();
+        let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
+        Self { bar, started: Instant::now(), wanted, shown: Once::new() }
+    }
+
+    /// Moves the bar to the part done, `0.0 ..= 1.0`; never back.
+    pub(super) fn set(&self, part: f32) {
+        if !self.wanted || self.started.elapsed() < PATIENCE {
+            return;
+        }
+        self.shown.call_once(|| {
+            if let Ok(style) = ProgressStyle::with_template("generating {wide_bar} {percent:>3} % {eta:>4}") {
+                self.bar.set_style(style);
+            }
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        });
+        let step = (part.clamp(0.0, 1.0) * STEPS as f32) as u64;
+        if step > self.bar.position() {
+            self.bar.set_position(step);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

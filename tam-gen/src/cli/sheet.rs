@@ -1,0 +1,133 @@
+//! `tam-gen sheet`.
+
+use std::io::Cursor;
+use std::path::PathBuf;
+
+use image::{ImageFormat, RgbImage};
+use serde_json::json;
+use tam_gen::export::sheet::{SheetOptions, contact_sheet, tiling};
+use tam_gen::import::{self, ImportOptions};
+use tam_gen::preset::{Colours, ToneMeasure};
+use tam_gen::{Grid, Job, Preset};
+
+use super::Outcome;
+use super::args::OverrideArgs;
+use super::failure::Failure;
+use super::output::Output;
+use super::summary::path_text;
+use super::{files, interrupt, source};
+
+const EXAMPLES: &str = "\
+Examples:
+  tam-gen sheet pencil                     pencil.sheet.png, from the preset
+  tam-gen sheet out/mine.ktx2 -o all.png   of a finished map
+  tam-gen sheet engraving --tile           pencil.tile.png: is the tile's period visible?";
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct SheetArgs {
+    /// A preset (name or file), a KTX2 or DDS array, or a folder of pictures
+    source: PathBuf,
+    /// Picture to write [default: NAME.sheet.png here]
+    #[arg(short, long = "output", value_name = "FILE.png")]
+    out: Option<PathBuf>,
+    /// Instead of all cells, one cell of the finest level, three by three tiles
+    #[arg(long)]
+    tile: bool,
+    /// Column to tile, 0 lightest [default: the middle one]
+    #[arg(long, value_name = "K", requires = "tile")]
+    column: Option<usize>,
+    /// Names of the pictures in the folder, with {tone} and {level} for the numbers
+    #[arg(long, value_name = "PATTERN")]
+    pattern: Option<String>,
+    /// Replace a picture that is there already
+    #[arg(long)]
+    force: bool,
+    #[command(flatten)]
+    overrides: OverrideArgs,
+}
+
+/// A map, whatever it came from.
+struct Shown {
+    name: String,
+    grid: Grid,
+    preset: Option<Preset>,
+}
+
+pub(super) fn run(args: &SheetArgs, output: &Output) -> Result<Outcome, Failure> {
+    let kind = if args.tile { "tile" } else { "sheet" };
+    let stem = if source::is_preset(&args.source) { source::stem(&args.source)? } else { map_name(args)? };
+    let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}.{kind}.png")));
+    files::check_free(&path, args.force)?;
+
+    let shown = load(args, stem)?;
+    let picture =
+        if args.tile { tile(&shown.grid, args.column)? } else { contact_sheet(&shown.grid, &options(&shown)) };
+    interrupt::stop_if_happened()?;
+    let mut png = Cursor::new(Vec::new());
+    picture.write_to(&mut png, ImageFormat::Png).map_err(|error| Failure::Output {
+        message: format!("cannot make the picture: {error}"),
+        help: Some("show a smaller map".to_owned()),
+    })?;
+    files::write(&path, png.get_ref(), args.force)?;
+    let (width, height) = picture.dimensions();
+    output.say(&format!("{}: {width} x {height} px\n", path.display()))?;
+    output.object(&json!({ "path": path_text(&path), "width": width, "height": height }))?;
+    Ok(Outcome::Holds)
+}
+
+fn map_name(args: &SheetArgs) -> Result<String, Failure> {
+    if args.source.components().count() == 1 && !args.source.exists() && args.source.extension().is_none() {
+        return Err(source::unknown(&args.source.to_string_lossy()));
+    }
+    source::stem(&args.source)
+}
+
+fn load(args: &SheetArgs, name: String) -> Result<Shown, Failure> {
+    if source::is_preset(&args.source) {
+        let (name, preset) = source::preset(&args.source)?;
+        let preset = preset.apply(&args.overrides.overrides())?;
+        let cancel = interrupt::catch();
+        let map = tam_gen::generate(&preset, &Job { cancel: Some(cancel), ..Job::default() })?;
+        return Ok(Shown { name, grid: map.grid, preset: Some(preset) });
+    }
+    if args.overrides.any() {
+        return Err(Failure::usage("a finished map cannot be changed", "give the preset to change it"));
+    }
+    let options = ImportOptions { pattern: args.pattern.clone(), ..ImportOptions::default() };
+    let imported = import::read(&args.source, &options)?;
+    let preset = imported.preset_toml.and_then(|source| Preset::from_toml(&source, "the preset in the map").ok());
+    Ok(Shown { name, grid: imported.grid, preset })
+}
+
+fn options(shown: &Shown) -> SheetOptions {
+    let default = SheetOptions::default();
+    let title = shown.name.clone();
+    let Some(preset) = &shown.preset else { return SheetOptions { title, ..default } };
+    let Colours { paper, ink } = &preset.colours;
+    SheetOptions {
+        title,
+        description: preset.description.clone(),
+        paper: rgb(paper).unwrap_or(default.paper),
+        ink: rgb(ink).unwrap_or(default.ink),
+        measure: ToneMeasure::named(preset.map.tone_measure),
+        ..default
+    }
+}
+
+fn rgb(css: &str) -> Option<[u8; 3]> {
+    let [red, green, blue, _] = csscolorparser::parse(css).ok()?.to_rgba8();
+    Some([red, green, blue])
+}
+
+fn tile(grid: &Grid, column: Option<usize>) -> Result<RgbImage, Failure> {
+    let columns = grid.columns();
+    let column = column.unwrap_or(columns / 2);
+    match grid.levels.first() {
+        Some(finest) if column < columns => Ok(tiling(finest, column, 3)),
+        _ => Err(Failure::usage(
+            format!("--column {column}: the map has {columns}"),
+            format!("0 to {}", columns.max(1) - 1),
+        )),
+    }
+}
