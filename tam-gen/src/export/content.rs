@@ -119,7 +119,7 @@ pub(super) fn grey_png(texels: &[u8], size: u32) -> Result<Content, String> {
 
 pub(super) fn encode_png(texels: &[u8], (width, height): (u32, u32), colour: ColorType) -> Result<Content, String> {
     let mut bytes = Vec::new();
-    png::PngEncoder::new_with_quality(&mut bytes, png::CompressionType::Default, png::FilterType::Adaptive)
+    png::PngEncoder::new_with_quality(&mut bytes, png::CompressionType::Fast, png::FilterType::Adaptive)
         .write_image(texels, width, height, colour.into())
         .map_err(|error| error.to_string())?;
     Ok(bytes.into())

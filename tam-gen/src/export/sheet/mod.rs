@@ -1,5 +1,6 @@
 //! Pictures of a map for people: the contact sheet and the tiling.
 
+mod gallery;
 mod layout;
 mod lettering;
 
@@ -7,6 +8,7 @@ use image::{Rgb, RgbImage};
 
 use crate::map::{Grid, Level};
 use crate::preset::ToneMeasure;
+pub use gallery::gallery;
 use layout::Layout;
 
 /// How a contact sheet looks.
@@ -54,7 +56,7 @@ pub fn contact_sheet(grid: &Grid, options: &SheetOptions) -> RgbImage {
     for (level, row) in grid.levels.iter().zip(&layout.rows) {
         for (ink, &middle) in level.cells.iter().zip(&layout.middles) {
             let (left, shown) = (middle - row.shown / 2, reduced(ink, level.size, row.shown));
-            frame(&mut picture, left, row.top, row.shown);
+            frame(&mut picture, left, row.top, row.shown, row.shown);
             for (i, &ink) in shown.iter().enumerate() {
                 let (x, y) = (i as u32 % row.shown, i as u32 / row.shown);
                 picture.put_pixel(left + x, row.top + y, colours[usize::from(ink)]);
@@ -124,11 +126,15 @@ fn reduced(ink: &[u8], size: u32, shown: u32) -> Vec<u8> {
     sums.into_iter().map(|sum| ((sum + area / 2) / area) as u8).collect()
 }
 
-/// A line of one pixel around a square, outside it.
-fn frame(picture: &mut RgbImage, left: u32, top: u32, side: u32) {
-    for i in 0..side + 2 {
-        for (x, y) in [(i, 0), (i, side + 1), (0, i), (side + 1, i)] {
-            picture.put_pixel(left - 1 + x, top - 1 + y, FRAME);
-        }
+/// A line of one pixel around a rectangle, outside it.
+fn frame(picture: &mut RgbImage, left: u32, top: u32, width: u32, height: u32) {
+    let (right, bottom) = (left + width, top + height);
+    for x in left - 1..=right {
+        picture.put_pixel(x, top - 1, FRAME);
+        picture.put_pixel(x, bottom, FRAME);
+    }
+    for y in top - 1..=bottom {
+        picture.put_pixel(left - 1, y, FRAME);
+        picture.put_pixel(right, y, FRAME);
     }
 }
