@@ -9,7 +9,8 @@ use crate::{sample, write};
 
 type Decode = fn(&[u8]) -> Result<Texture, DecodeError>;
 
-/// The smallest files of every kind, with the reader of each.
+/// The smallest files of every kind, with the reader of each. With `TAM_LOOK=folder` they are kept there, as seeds for
+/// the fuzz targets.
 fn files() -> Vec<(String, Vec<u8>, Decode)> {
     let (map, dir) = (sample::map(2, 16, 8, true), tempfile::tempdir().unwrap());
     write(&map, dir.path(), &Format::ALL);
@@ -34,7 +35,14 @@ fn files() -> Vec<(String, Vec<u8>, Decode)> {
         ("a.tga", image::decode),
         ("a.bmp", image::decode),
     ];
-    decoders.map(|(name, decode)| (name.into(), std::fs::read(dir.path().join(name)).unwrap(), decode)).into()
+    let read = |(name, decode): (&str, Decode)| {
+        let bytes = std::fs::read(dir.path().join(name)).unwrap();
+        if let Some(folder) = std::env::var_os("TAM_LOOK") {
+            std::fs::write(Path::new(&folder).join(name.replace('/', "-")), &bytes).unwrap();
+        }
+        (name.into(), bytes, decode)
+    };
+    decoders.map(read).into()
 }
 
 fn check(texture: &Texture) {
