@@ -3,6 +3,9 @@
 use std::io::Write;
 use std::path::Path;
 
+use image::RgbImage;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+
 use super::failure::Failure;
 
 /// Writes a file so that it is there complete or not at all; replaces one only with `force`.
@@ -23,6 +26,17 @@ pub(super) fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failur
         file.persist_noclobber(path).map_err(|error| Failure::write(path, &error.error))?;
     }
     Ok(())
+}
+
+/// Writes a picture as PNG, as small as it gets.
+pub(super) fn write_picture(path: &Path, picture: &RgbImage, force: bool) -> Result<(), Failure> {
+    let mut png = Vec::new();
+    let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive);
+    picture.write_with_encoder(encoder).map_err(|error| Failure::Output {
+        message: format!("cannot make the picture: {error}"),
+        help: Some("show a smaller map".to_owned()),
+    })?;
+    write(path, &png, force)
 }
 
 /// Refuses a place that is taken, before work is put into what should go there.

@@ -1,21 +1,23 @@
 //! `tam-gen presets`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Subcommand;
 use serde_json::{Value, json};
-use tam_gen::Preset;
+use tam_gen::export::sheet::{SheetOptions, gallery};
+use tam_gen::{Job, Preset};
 
 use super::failure::Failure;
 use super::output::Output;
 use super::summary::path_text;
 use super::template::commented;
-use super::{Outcome, files, source};
+use super::{Outcome, files, interrupt, source};
 
 const EXAMPLES: &str = "\
 Examples:
   tam-gen presets                               what comes with the tool
   tam-gen presets show pencil                   how it is made
+  tam-gen presets sheet -o all.png              what they look like
   tam-gen presets new mine                      mine.toml, every option explained
   tam-gen presets new mine --from charcoal      starting from another one";
 
@@ -35,6 +37,15 @@ enum Action {
         /// A preset that comes with the tool, or the path of a preset file
         #[arg(value_name = "NAME_OR_PATH")]
         preset: PathBuf,
+    },
+    /// Draw a strip of each preset, light to dark, on one picture
+    Sheet {
+        /// Picture to write
+        #[arg(short, long = "output", value_name = "FILE.png", default_value = "presets.png")]
+        out: PathBuf,
+        /// Replace a picture that is there already
+        #[arg(long)]
+        force: bool,
     },
     /// Write a preset to start from, every option explained
     New {
@@ -62,6 +73,7 @@ pub(super) fn run(args: &PresetsArgs, output: &Output) -> Result<Outcome, Failur
             let text = embedded.map_or_else(|| preset.to_toml(), |(_, source)| (*source).to_owned());
             output.result(&text, || json!({ "name": name, "preset": preset, "toml": text }))?;
         }
+        Action::Sheet { out, force } => sheet(out, *force, output)?,
         Action::New { name, from, out, force } => {
             let path = out.clone().unwrap_or_else(|| PathBuf::from(format!("{name}.toml")));
             if out.is_none() && (name.is_empty() || name.contains(['/', '\\'])) {
@@ -75,6 +87,22 @@ pub(super) fn run(args: &PresetsArgs, output: &Output) -> Result<Outcome, Failur
         }
     }
     Ok(Outcome::Holds)
+}
+
+fn sheet(path: &Path, force: bool, output: &Output) -> Result<(), Failure> {
+    files::check_free(path, force)?;
+    let cancel = interrupt::catch();
+    let mut maps = Vec::new();
+    for (name, source) in Preset::embedded() {
+        let preset = Preset::from_toml(source, name)?;
+        let map = tam_gen::generate(&preset, &Job { cancel: Some(cancel), ..Job::default() })?;
+        maps.push((map.grid, SheetOptions::of(name, &preset).unwrap_or_default()));
+    }
+    let picture = gallery(&maps);
+    files::write_picture(path, &picture, force)?;
+    let (width, height) = picture.dimensions();
+    output.say(&format!("{}: {width} x {height} px\n", path.display()))?;
+    output.object(&json!({ "path": path_text(path), "width": width, "height": height }))
 }
 
 fn list(output: &Output) -> Result<(), Failure> {

@@ -1,13 +1,11 @@
 //! `tam-gen sheet`.
 
-use std::io::Cursor;
 use std::path::PathBuf;
 
-use image::{ImageFormat, RgbImage};
+use image::RgbImage;
 use serde_json::json;
 use tam_gen::export::sheet::{SheetOptions, contact_sheet, tiling};
 use tam_gen::import::{self, ImportOptions};
-use tam_gen::preset::{Colours, ToneMeasure};
 use tam_gen::{Grid, Job, Preset};
 
 use super::Outcome;
@@ -64,12 +62,7 @@ pub(super) fn run(args: &SheetArgs, output: &Output) -> Result<Outcome, Failure>
     let picture =
         if args.tile { tile(&shown.grid, args.column)? } else { contact_sheet(&shown.grid, &options(&shown)) };
     interrupt::stop_if_happened()?;
-    let mut png = Cursor::new(Vec::new());
-    picture.write_to(&mut png, ImageFormat::Png).map_err(|error| Failure::Output {
-        message: format!("cannot make the picture: {error}"),
-        help: Some("show a smaller map".to_owned()),
-    })?;
-    files::write(&path, png.get_ref(), args.force)?;
+    files::write_picture(&path, &picture, args.force)?;
     let (width, height) = picture.dimensions();
     output.say(&format!("{}: {width} x {height} px\n", path.display()))?;
     output.object(&json!({ "path": path_text(&path), "width": width, "height": height }))?;
@@ -101,23 +94,9 @@ fn load(args: &SheetArgs, name: String) -> Result<Shown, Failure> {
 }
 
 fn options(shown: &Shown) -> SheetOptions {
-    let default = SheetOptions::default();
-    let title = shown.name.clone();
-    let Some(preset) = &shown.preset else { return SheetOptions { title, ..default } };
-    let Colours { paper, ink } = &preset.colours;
-    SheetOptions {
-        title,
-        description: preset.description.clone(),
-        paper: rgb(paper).unwrap_or(default.paper),
-        ink: rgb(ink).unwrap_or(default.ink),
-        measure: ToneMeasure::named(preset.map.tone_measure),
-        ..default
-    }
-}
-
-fn rgb(css: &str) -> Option<[u8; 3]> {
-    let [red, green, blue, _] = csscolorparser::parse(css).ok()?.to_rgba8();
-    Some([red, green, blue])
+    let plain = || SheetOptions { title: shown.name.clone(), ..SheetOptions::default() };
+    // A foreign file may name colours that are none; its cells can be shown all the same.
+    shown.preset.as_ref().and_then(|preset| SheetOptions::of(&shown.name, preset).ok()).unwrap_or_else(plain)
 }
 
 fn tile(grid: &Grid, column: Option<usize>) -> Result<RgbImage, Failure> {

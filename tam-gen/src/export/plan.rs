@@ -8,7 +8,6 @@ use super::content::{
 use super::sheet::{SheetOptions, contact_sheet};
 use super::{ExportError, ExportOptions, Format, dds, json, svg};
 use crate::map::{Level, Map};
-use crate::preset::ToneMeasure;
 
 /// A file to be made.
 pub(super) struct Planned<'a> {
@@ -96,7 +95,7 @@ pub(super) fn plan<'a>(
                 Box::new(move || Ok(json(&map.strokes)?.into())),
             )),
             Format::StrokesSvg => {
-                let (paper, ink) = colours(map)?;
+                let (paper, ink) = map.preset.colours.srgb().map_err(ExportError::Map)?;
                 let css = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
                 files.push(file(
                     format!("{name}.strokes.svg"),
@@ -114,18 +113,12 @@ pub(super) fn plan<'a>(
         ));
     }
     if options.sheet {
-        let (paper, ink) = colours(map)?;
-        let title = name.to_owned();
+        let sheet_options = SheetOptions::of(name, &map.preset).map_err(ExportError::Map)?;
         files.push(file(
             format!("{name}.sheet.png"),
             "contact sheet, PNG",
             Box::new(move || {
-                let description = map.preset.description.clone();
-                let measure = ToneMeasure::named(map.preset.map.tone_measure);
-                let sheet = contact_sheet(
-                    grid,
-                    &SheetOptions { title: title.clone(), description, paper, ink, measure, ..Default::default() },
-                );
+                let sheet = contact_sheet(grid, &sheet_options);
                 encode_png(&sheet, sheet.dimensions(), ColorType::Rgb8)
             }),
         ));
@@ -161,16 +154,4 @@ pub(super) fn check_map(map: &Map) -> Result<(), ExportError> {
         }
     }
     Ok(())
-}
-
-fn colours(map: &Map) -> Result<([u8; 3], [u8; 3]), ExportError> {
-    let parse = |key: &str, css: &str| match csscolorparser::parse(css) {
-        Ok(colour) => {
-            let [r, g, b, _] = colour.to_rgba8();
-            Ok([r, g, b])
-        }
-        Err(error) => Err(ExportError::Map(format!("colours.{key} = \"{css}\" is no colour: {error}"))),
-    };
-    let colours = &map.preset.colours;
-    Ok((parse("paper", &colours.paper)?, parse("ink", &colours.ink)?))
 }

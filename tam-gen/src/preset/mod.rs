@@ -63,6 +63,23 @@ pub struct Colours {
     pub ink: String,
 }
 
+impl Colours {
+    /// Paper and ink as sRGB.
+    ///
+    /// # Errors
+    /// Which of the two is no colour, and why.
+    pub fn srgb(&self) -> Result<([u8; 3], [u8; 3]), String> {
+        let parse = |key: &str, css: &str| match csscolorparser::parse(css) {
+            Ok(colour) => {
+                let [r, g, b, _] = colour.to_rgba8();
+                Ok([r, g, b])
+            }
+            Err(error) => Err(format!("colours.{key} = \"{css}\" is no colour: {error}")),
+        };
+        Ok((parse("paper", &self.paper)?, parse("ink", &self.ink)?))
+    }
+}
+
 impl Default for Colours {
     fn default() -> Self {
         Self { paper: "#ffffff".into(), ink: "#000000".into() }

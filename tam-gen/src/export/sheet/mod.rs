@@ -7,7 +7,7 @@ mod lettering;
 use image::{Rgb, RgbImage};
 
 use crate::map::{Grid, Level};
-use crate::preset::ToneMeasure;
+use crate::preset::{Preset, ToneMeasure};
 pub use gallery::gallery;
 use layout::Layout;
 
@@ -38,6 +38,25 @@ impl Default for SheetOptions {
             max_width_px: 4000,
             measure: ToneMeasure::default(),
         }
+    }
+}
+
+impl SheetOptions {
+    /// The sheet of a preset's map: its description, colours and measure.
+    ///
+    /// # Errors
+    /// Which of its colours is none.
+    pub fn of(title: &str, preset: &Preset) -> Result<Self, String> {
+        let (paper, ink) = preset.colours.srgb()?;
+        let measure = ToneMeasure::named(preset.map.tone_measure);
+        Ok(Self {
+            title: title.into(),
+            description: preset.description.clone(),
+            paper,
+            ink,
+            measure,
+            ..Self::default()
+        })
     }
 }
 
