@@ -80,6 +80,29 @@ fn soft_grainy_curved_wide_and_thin_strokes_hold_every_constraint() {
 }
 
 #[test]
+fn shipped_presets_hold_every_constraint_at_any_seed_and_size() {
+    let presets = concat!(env!("CARGO_MANIFEST_DIR"), "/../presets");
+    let mut broken = String::new();
+    for entry in std::fs::read_dir(presets).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let shipped = Preset::load(&path).unwrap();
+        let sizes = [128, 256, 512].map(|size| size.max(shipped.map.coarsest));
+        for (size, seed) in sizes.into_iter().flat_map(|size| [1, 2, 3].map(|seed| (size, seed))) {
+            let mut preset = Preset { seed, ..shipped.clone() };
+            preset.map.size = size;
+            let report = check_map(&make(&preset));
+            if !report.holds() {
+                broken += &format!("{}, {size} px, seed {seed}\n{report}\n", path.display());
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{broken}");
+}
+
+#[test]
 fn a_darker_cell_fails_the_tones() {
     let mut map = sound();
     map.grid.levels[0].cells[5].iter_mut().for_each(|ink| *ink = ink.saturating_add(20));

@@ -40,7 +40,11 @@ pub(super) fn check(subject: &Subject) -> Finding {
 fn judge_pair(subject: &Subject, level: usize, coarse: &Level, fine: &Level) -> Vec<CellFinding> {
     let half_ink = subject.half_ink(level);
     let width = measure::stroke_width(&fine.cells[0], fine.size, measure::full_ink(&fine.cells[0]), |_, _| true);
-    let reach = measure::level_nesting_reach(width.median_px);
+    // Grain and fading tapers make strokes look thinner than the broadest ones are; a list knows.
+    let listed_px = subject
+        .strokes()
+        .map_or(0.0, |strokes| strokes.strokes.iter().map(|stroke| f64::from(stroke.width_px)).fold(0.0, f64::max));
+    let reach = measure::level_nesting_reach(width.median_px.max(listed_px));
     let of = |column: usize| {
         measure::level_nesting(&coarse.cells[column], coarse.size, &fine.cells[column], half_ink, reach)
     };

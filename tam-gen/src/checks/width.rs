@@ -13,6 +13,9 @@ const SAMPLES: usize = 40;
 /// Fewest texels per texel of width, where only pixels are known, so that wide strokes are several too.
 const SAMPLES_PER_WIDTH: f64 = 60.0;
 
+/// Part of a stroke left out at either end. Tapers are the same part of a stroke at every level, so they need not be.
+const ENDS: f64 = 0.15;
+
 /// Width of each level's strokes against the finest, in the lightest column that has enough inked texels at the coarsest
 /// judged level.
 ///
@@ -22,11 +25,8 @@ const SAMPLES_PER_WIDTH: f64 = 60.0;
 /// or of the lower quartile, whichever changed less. Thicker strokes widen both.
 pub(super) fn check(subject: &Subject) -> Finding {
     let constraint = Constraint::StrokeWidth;
-    // Strokes that taper all along have no middle of full width, and dots only a point.
-    let lined = subject.strokes().ok().filter(|strokes| {
-        let is_line = |stroke: usize| strokes.strokes[stroke].along_uv > 0.0;
-        measure::on_centre_lines(strokes, subject.grid.levels[0].size, is_line).contains(&true)
-    });
+    // Dots have no more than a point of a centre line.
+    let lined = subject.strokes().ok().filter(|strokes| strokes.strokes.iter().any(|stroke| stroke.along_uv > 0.0));
     let judged = (1..subject.grid.hand_built).rev().find_map(|coarsest| {
         let light = subject.grid.columns().div_ceil(2);
         (0..light).find_map(|column| {
@@ -84,8 +84,13 @@ fn widths_on_lines(
         let size = level.size as usize;
         let finer = size / coarse_size;
         let alone = |i: usize| !crowded[i / size / finer * coarse_size + i % size / finer];
-        let on_line = measure::on_centre_lines(strokes, level.size, drawn);
-        on_line.into_iter().enumerate().map(|(i, on_line)| on_line && alone(i)).collect()
+        let mut mask = vec![false; size * size];
+        for stroke in (0..strokes.strokes.len()).filter(|stroke| drawn(*stroke)) {
+            measure::visit_centre_line(&strokes.strokes[stroke], level.size, ENDS, |texel, _| {
+                mask[texel] = alone(texel)
+            });
+        }
+        mask
     })
 }
 
@@ -104,7 +109,7 @@ fn crowded(subject: &Subject, strokes: &StrokeList, level: usize, column: usize)
         // A stroke ends half its width from its line, and so does its neighbour; a texel and more is paper between.
         let reach = ((stroke.width_px + 1.0).ceil() as usize).min(size as usize / 2);
         let side = size as usize;
-        measure::visit_centre_line(strokes, i, size, |texel, _| {
+        measure::visit_centre_line(stroke, size, 0.0, |texel, _| {
             let (left, top) = (texel % side + side - reach, texel / side + side - reach);
             for y in (top..=top + 2 * reach).map(|y| y % side * side) {
                 for x in (left..=left + 2 * reach).map(|x| x % side) {

@@ -69,7 +69,7 @@ pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLi
         for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) == column) {
             let options = &strokes.families[usize::from(stroke.family)].stroke;
             found.skipped += usize::from(options.tip.is_some());
-            for_each_sample(stroke, options, size, |texel, slope| {
+            for_each_sample(stroke, size, margin_uv(stroke, options, size), |texel, slope| {
                 let Some(floor) = centre_line_floor(stroke, slope, options) else { return };
                 found.samples += 1;
                 if f64::from(least_ink[texel]) < floor {
@@ -91,7 +91,8 @@ pub fn missing_centre_lines(grid: &Grid, strokes: &StrokeList, level: usize, col
     let first = lightest_whole(strokes, level);
     for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) <= column) {
         let options = &strokes.families[usize::from(stroke.family)].stroke;
-        for_each_sample(stroke, options, grid.levels[level].size, |texel, slope| {
+        let size = grid.levels[level].size;
+        for_each_sample(stroke, size, margin_uv(stroke, options, size), |texel, slope| {
             let floor = centre_line_floor(stroke, slope, options);
             missing[texel] |= floor.is_some_and(|floor| f64::from(ink[texel]) < floor);
         });
@@ -99,20 +100,18 @@ pub fn missing_centre_lines(grid: &Grid, strokes: &StrokeList, level: usize, col
     missing
 }
 
-/// Calls `visit` with each texel, of an image of some size, on the centre line of a stroke, further than its tapers and one
-/// texel from its ends, and with the slope of the stroke there (across per along).
-pub fn visit_centre_line(strokes: &StrokeList, stroke: usize, size: u32, visit: impl FnMut(usize, f64)) {
-    let stroke = &strokes.strokes[stroke];
-    for_each_sample(stroke, &strokes.families[usize::from(stroke.family)].stroke, size, visit);
+/// Calls `visit` with each texel, of an image of some size, on the centre line of a stroke, leaving out a part of its length
+/// at either end (`0.0 .. 0.5`), and with the slope of the stroke there (across per along).
+pub fn visit_centre_line(stroke: &Stroke, size: u32, ends: f64, visit: impl FnMut(usize, f64)) {
+    for_each_sample(stroke, size, ends * f64::from(stroke.along_uv), visit);
 }
 
-/// The texels, of an image of some size, on the centre lines of strokes, further than tapers and one texel from their ends.
-pub fn on_centre_lines(strokes: &StrokeList, size: u32, select: impl Fn(usize) -> bool) -> Vec<bool> {
-    let mut on_line = vec![false; size as usize * size as usize];
-    for stroke in (0..strokes.strokes.len()).filter(|stroke| select(*stroke)) {
-        visit_centre_line(strokes, stroke, size, |texel, _| on_line[texel] = true);
-    }
-    on_line
+/// How far a stroke is judged from its ends, in tiles: its taper and a texel more, which clears a butt or round end; strokes
+/// wider than two texels have ends as long as half their width. Strokes may run against their axis, so either end may hold
+/// either taper.
+fn margin_uv(stroke: &Stroke, options: &StrokeOptions, size: u32) -> f64 {
+    let end_px = (0.5 * f64::from(stroke.width_px)).max(1.0);
+    options.taper_in.max(options.taper_out) * f64::from(stroke.along_uv) + end_px / f64::from(size)
 }
 
 /// For each stroke the lightest column in which this level or a coarser one draws it whole.
@@ -126,8 +125,8 @@ fn lightest_whole(strokes: &StrokeList, level: usize) -> Vec<u8> {
     lightest
 }
 
-/// Calls `visit` with the texel of each sample and the slope of the stroke there.
-fn for_each_sample(stroke: &Stroke, options: &StrokeOptions, size: u32, mut visit: impl FnMut(usize, f64)) {
+/// Calls `visit` with the texel of each sample further than `margin_uv` from the ends, and the slope of the stroke there.
+fn for_each_sample(stroke: &Stroke, size: u32, margin_uv: f64, mut visit: impl FnMut(usize, f64)) {
     let side = size as i64;
     let texel_of = |along: i64, across_uv: f64| {
         let across = ((across_uv * f64::from(size)).floor() as i64).rem_euclid(side);
@@ -144,10 +143,6 @@ fn for_each_sample(stroke: &Stroke, options: &StrokeOptions, size: u32, mut visi
         return;
     }
     let texel_uv = 1.0 / f64::from(size);
-    // One texel clears a butt or round end; strokes wider than two texels have ends as long as half their width.
-    let margin_uv = texel_uv * (0.5 * f64::from(stroke.width_px)).max(1.0);
-    // Strokes may run against their axis, so either end may hold either taper.
-    let margin_uv = options.taper_in.max(options.taper_out) * length + margin_uv;
     let begin = (start + margin_uv) * f64::from(size);
     let end = (start + length - margin_uv) * f64::from(size);
     for along in (begin - 0.5).ceil() as i64..=(end - 0.5).floor() as i64 {

@@ -14,9 +14,7 @@ mod tone_nesting;
 mod uniformity;
 mod width;
 
-pub use centre_lines::{
-    CentreLines, centre_line_floor, centre_lines, missing_centre_lines, on_centre_lines, visit_centre_line,
-};
+pub use centre_lines::{CentreLines, centre_line_floor, centre_lines, missing_centre_lines, visit_centre_line};
 pub use ink::{full_ink, share_at_least};
 pub use length::{LengthBias, length_bias};
 pub use level_nesting::{LevelNesting, level_nesting, level_nesting_reach, lost_texels};
