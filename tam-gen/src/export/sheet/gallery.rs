@@ -2,22 +2,24 @@
 
 use image::RgbImage;
 
-use super::lettering::{BODY, TITLE};
+use super::lettering::{FOOT, TITLE};
 use super::{GROUND, SheetOptions, colour_of_ink, frame};
 use crate::map::Grid;
 
 const MARGIN: u32 = 40;
 const GAP: u32 = 36;
-const STRIP_HEIGHT: u32 = 128;
-const STRIP_WIDTH: u32 = 576;
-const ACROSS: u32 = 2;
+const STRIP_HEIGHT: u32 = 150;
+const STRIP_WIDTH: u32 = 432;
+const ACROSS: u32 = 3;
+/// Lines kept for a description.
+const LINES: u32 = 2;
 
-/// A strip of each map's finest level, texel by pixel, lightest tone left and darkest right, two maps side by side.
+/// A strip of each map's finest level, texel by pixel, lightest tone left and darkest right, three side by side.
 ///
 /// Tones follow each other on one continuous stretch of the tiled map, so strokes run through from one to the next. A
-/// map's title stands above its strip, its description beside the title as far as there is room.
+/// map's title and description stand above its strip.
 pub fn gallery(maps: &[(Grid, SheetOptions)]) -> RgbImage {
-    let head = TITLE.line_px() + 12;
+    let head = TITLE.line_px() + LINES * FOOT.line_px() + 14;
     let rows = (maps.len() as u32).div_ceil(ACROSS);
     let width = 2 * MARGIN + ACROSS * STRIP_WIDTH + (ACROSS - 1) * GAP;
     let height = 2 * MARGIN + rows * (head + STRIP_HEIGHT) + rows.saturating_sub(1) * GAP;
@@ -26,15 +28,11 @@ pub fn gallery(maps: &[(Grid, SheetOptions)]) -> RgbImage {
         let left = MARGIN + i % ACROSS * (STRIP_WIDTH + GAP);
         let top = MARGIN + i / ACROSS * (head + STRIP_HEIGHT + GAP);
         TITLE.draw(&mut picture, left as f32, top as f32, &options.title);
-        let beside = left + TITLE.width_px(&options.title) + 18;
-        let room = (left + STRIP_WIDTH).saturating_sub(beside);
-        if let Some(line) = BODY.wrapped(&options.description, room).first()
-            && BODY.width_px(line) <= room
-        {
-            let cut = if line.len() < options.description.trim().len() { " …" } else { "" };
-            let line = format!("{}{cut}", line.trim_end_matches([',', ':', ';']));
-            let drop = (TITLE.line_px() - BODY.line_px()) as f32 - 4.0;
-            BODY.draw(&mut picture, beside as f32, top as f32 + drop, &line);
+        let lines = FOOT.wrapped(&options.description, STRIP_WIDTH);
+        for (line, text) in (0..LINES).zip(&lines) {
+            let cut = if line + 1 == LINES && lines.len() > LINES as usize { " …" } else { "" };
+            let below = TITLE.line_px() + 4 + line * FOOT.line_px();
+            FOOT.draw(&mut picture, left as f32, (top + below) as f32, &format!("{text}{cut}"));
         }
         strip(&mut picture, left, top + head, grid, options);
     }
