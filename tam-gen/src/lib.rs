@@ -20,6 +20,7 @@ mod placement;
 pub mod preset;
 pub mod raster;
 mod realise;
+mod rounding;
 pub mod sequence;
 pub mod stroke;
 mod tail;

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::preset::StrokeOptions;
+use crate::rounding::floor;
 
 /// The axis of the tile along which a stroke is scanned: the one nearer to its direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -103,7 +104,7 @@ impl Taper {
 /// The part of a number above its floor, `0.0 .. 1.0`.
 #[inline]
 pub fn wrap_unit(x: f32) -> f32 {
-    let fraction = x - x.floor();
+    let fraction = x - floor(x) as f32;
     // A tiny negative number rounds up to 1.
     if fraction >= 1.0 { 0.0 } else { fraction }
 }

@@ -75,25 +75,21 @@ fn row(preset: &Preset, size: u32) -> Row {
     }
 }
 
-/// The bound: every stroke of every level drawn once, nothing else.
+/// The bound: every stroke of every level drawn once, nothing else. All families of the preset share one grain.
 fn rasterise_once(map: &Map) {
     let nibs: Vec<Nib> =
         map.strokes.families.iter().map(|family| Nib::new(&family.stroke, false).expect("no tip")).collect();
     let mut footprint = Footprint::default();
     for (level, first_column) in map.grid.drawn().iter().zip(&map.strokes.first_column) {
-        let grains: Vec<Grain> = map
-            .strokes
-            .families
-            .iter()
-            .map(|family| Grain::new(family.stroke.grain as f32, level.size, map.preset.seed))
-            .collect();
+        let grain = |amount: f64| Grain::new(amount as f32, level.size, map.preset.seed);
+        let common = grain(map.preset.stroke.grain);
         let mut ink = vec![0_u8; (level.size * level.size) as usize];
         for (stroke, first) in map.strokes.strokes.iter().zip(first_column) {
             if *first == tam_gen::StrokeList::NEVER {
                 continue;
             }
             let family = usize::from(stroke.family);
-            nibs[family].footprint(stroke, level.size, &grains[family], &mut footprint);
+            nibs[family].footprint(stroke, level.size, &common, &mut footprint);
             for (texel, above) in footprint.iter() {
                 ink[texel] = over(ink[texel], above);
             }

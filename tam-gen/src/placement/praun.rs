@@ -8,6 +8,8 @@
 //! texels, each weighing Σ_p (1 - D_p) at the texel's ancestors. That sum is kept per texel, so a candidate costs one look
 //! per texel it covers, and only the accepted stroke updates pyramids.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use crate::error::GenerateError;
@@ -18,6 +20,9 @@ use crate::realise::{LevelScratch, Plan, Window, fill_thresholds};
 use crate::sequence::{Draw, Sequence};
 use crate::stroke::Stroke;
 
+/// For each level and column, why the cell misses its tone, if it does.
+pub(crate) type Causes = Vec<Vec<Option<DeficitCause>>>;
+
 /// Draws all levels, and returns the strokes and why cells miss their tones.
 pub(crate) fn draw_levels(
     plan: &Plan<'_>,
@@ -26,11 +31,11 @@ pub(crate) fn draw_levels(
     sequences: &mut [Sequence],
     scratch: &mut [LevelScratch],
     levels: &mut [Level],
-) -> Result<(StrokeList, Vec<Vec<Option<DeficitCause>>>), GenerateError> {
+) -> Result<(StrokeList, Causes), GenerateError> {
     let (level_count, columns) = (levels.len(), plan.tones.len());
     let mut pyramids: Vec<Pyramid> =
         levels.iter().enumerate().map(|(l, level)| Pyramid::new(level.size, level_count - 1 - l)).collect();
-    let grains: Vec<Vec<Grain>> = levels.iter().map(|level| plan.grains(level.size)).collect();
+    let grains: Vec<Vec<Arc<Grain>>> = levels.iter().map(|level| plan.grains(level.size)).collect();
     for (scratch, level) in scratch.iter_mut().zip(levels.iter_mut()) {
         scratch.canvas.reset(level.size);
         scratch.thresholds.reset(level.size);
@@ -55,7 +60,7 @@ pub(crate) fn draw_levels(
                 draw.seek(strokes.len() as u32);
                 candidates.clear();
                 candidates.extend((0..count).map(|_| {
-                    let turn = (draw.next() * plan.schedule[column].len() as f64) as usize;
+                    let turn = (draw.unit() * plan.schedule[column].len() as f64) as usize;
                     sequences[usize::from(plan.schedule[column][turn])].random_stroke(&mut draw)
                 }));
                 let best = best_candidate(plan, &candidates, &pyramids[..=l], &grains);
@@ -98,7 +103,7 @@ pub(crate) fn draw_levels(
 }
 
 /// The candidate with the highest score; of equals the first, so that threads do not matter.
-fn best_candidate(plan: &Plan<'_>, candidates: &[Stroke], pyramids: &[Pyramid], grains: &[Vec<Grain>]) -> Stroke {
+fn best_candidate(plan: &Plan<'_>, candidates: &[Stroke], pyramids: &[Pyramid], grains: &[Vec<Arc<Grain>>]) -> Stroke {
     let scores: Vec<f32> = candidates
         .par_iter()
         .with_min_len(32)

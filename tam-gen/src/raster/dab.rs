@@ -1,6 +1,7 @@
 //! A dot: a disc with exact chords in four sub-columns per texel.
 
 use super::{Footprint, Nib, Part};
+use crate::rounding::{ceil, floor};
 use crate::stroke::{Axis, Stroke};
 
 const SUB_COLUMNS: i32 = 4;
@@ -15,8 +16,8 @@ pub(super) fn disc(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut 
     };
     let (along, across) = (stroke.start_uv * side, stroke.across_uv[0] * side);
     let radius = 0.5 * stroke.width_px;
-    let (first_row, last_row) = ((across - radius).floor() as i32, (across + radius).ceil() as i32 - 1);
-    let (first_column, last_column) = ((along - radius).floor() as i32, (along + radius).ceil() as i32 - 1);
+    let (first_row, last_row) = (floor(across - radius), ceil(across + radius) - 1);
+    let (first_column, last_column) = (floor(along - radius), ceil(along + radius) - 1);
 
     for column in first_column..=last_column {
         // Half chord of the disc in the middle of each sub-column.

@@ -7,7 +7,7 @@
 pub struct Footprint {
     /// Index of each texel in its level (row · size + column).
     pub texel: Vec<u32>,
-    /// Ink there, `1 ..= 255`.
+    /// Ink there, `0 ..= 255`.
     pub ink: Vec<u8>,
     /// Where each scan column begins in the two lists above.
     pub column_start: Vec<u32>,
@@ -39,6 +39,15 @@ impl Footprint {
     #[inline]
     pub(super) fn begin_column(&mut self) {
         self.column_start.push(self.texel.len() as u32);
+    }
+
+    /// Adds the first `lanes` texels of a column's next rows. What lies at a band's rim may leave no ink; it stays out.
+    #[inline]
+    pub(super) fn extend<const N: usize>(&mut self, texel: &[u32; N], ink: &[u8; N], lanes: usize) {
+        let first = usize::from(ink[0] == 0);
+        let end = if ink[lanes - 1] == 0 { (lanes - 1).max(first) } else { lanes };
+        self.texel.extend_from_slice(&texel[first..end]);
+        self.ink.extend_from_slice(&ink[first..end]);
     }
 
     #[inline]

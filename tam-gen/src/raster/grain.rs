@@ -22,7 +22,10 @@ impl Grain {
             return Self::default();
         }
         let tile = size.min(TILE);
-        let height = |x: u32, y: u32| hash(seed, x & (tile - 1), y & (tile - 1)) as f32 / u32::MAX as f32;
+        let heights: Vec<f32> = (0..tile * tile)
+            .map(|texel| hash(seed, texel & (tile - 1), texel / tile) as f32 / u32::MAX as f32)
+            .collect();
+        let height = |x: u32, y: u32| heights[((y & (tile - 1)) * tile + (x & (tile - 1))) as usize];
         let stays = (0..tile * tile)
             .map(|texel| {
                 let (x, y) = (texel & (tile - 1), texel / tile);
@@ -44,10 +47,15 @@ impl Grain {
             return;
         }
         let tile_shift = (self.tile_mask + 1).ilog2();
+        let covers_level = tile_shift == self.size_shift;
         for (texel, ink) in footprint.texel.iter().zip(&mut footprint.ink) {
-            let (x, y) = (texel & ((1 << self.size_shift) - 1), texel >> self.size_shift);
-            let stays = self.stays[(((y & self.tile_mask) << tile_shift) | (x & self.tile_mask)) as usize];
-            let product = u32::from(*ink) * u32::from(stays) + 128;
+            let texel = if covers_level {
+                *texel
+            } else {
+                let (x, y) = (texel & ((1 << self.size_shift) - 1), texel >> self.size_shift);
+                ((y & self.tile_mask) << tile_shift) | (x & self.tile_mask)
+            };
+            let product = u32::from(*ink) * u32::from(self.stays[texel as usize]) + 128;
             *ink = ((product + (product >> 8)) >> 8) as u8;
         }
     }

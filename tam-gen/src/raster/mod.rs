@@ -73,6 +73,9 @@ impl Nib {
     #[inline]
     fn pressed(&self, part: Part, t: f32) -> (f32, f32) {
         let mut pressure = self.taper.pressure(t);
+        if pressure == 1.0 && part.end >= 1.0 {
+            return (1.0, part.strength);
+        }
         if part.end < 1.0 {
             let falling = ((part.end - t) / part.end.min(PART_FALL.max(self.taper.fall))).clamp(0.0, 1.0);
             pressure = pressure.min(falling * (2.0 - falling));

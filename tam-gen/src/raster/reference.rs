@@ -54,7 +54,7 @@ fn own(nib: &Nib, stroke: &Stroke) -> Vec<f32> {
 
 /// A stroke well inside the tile, of any character.
 fn stroke_inside(draw: &mut Draw) -> Stroke {
-    let mut at = |low: f64, high: f64| (low + (high - low) * draw.next()) as f32;
+    let mut at = |low: f64, high: f64| (low + (high - low) * draw.unit()) as f32;
     let along_uv = at(0.1, 0.5);
     Stroke {
         family: 0,
@@ -105,7 +105,7 @@ fn dots_agree_with_tiny_skia() {
     let nib = Nib::new(&StrokeOptions::default(), false).expect("no tip");
     let mut draw = Draw::new(5, "dots");
     for _ in 0..100 {
-        let mut at = |low: f64, high: f64| (low + (high - low) * draw.next()) as f32;
+        let mut at = |low: f64, high: f64| (low + (high - low) * draw.unit()) as f32;
         let dot = Stroke {
             family: 0,
             axis: Axis::X,

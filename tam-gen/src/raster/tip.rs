@@ -8,6 +8,7 @@ use resvg::usvg;
 
 use super::{Footprint, Nib, Part};
 use crate::preset::TipOptions;
+use crate::rounding::{ceil, floor};
 use crate::stroke::{Axis, Stroke};
 
 /// Texels across the finest version of a tip; widths up to half of it are sampled without loss.
@@ -205,14 +206,14 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
     let reach = 0.5 * stroke.width_px * (1.0 + tip.aspect * tip.aspect).sqrt() + 1.0;
 
     // A band that follows the stroke: for each scan column, rows around the middle of the stroke there.
-    let first_column = (begin - reach).floor() as i32;
-    let columns = ((begin + length + reach).ceil() as i32 - first_column).max(1);
+    let first_column = floor(begin - reach);
+    let columns = (ceil(begin + length + reach) - first_column).max(1);
     let steepest = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| stroke.slope_at(t).abs()).into_iter().fold(0.0, f32::max);
-    let half_rows = (reach * (1.0 + steepest)).ceil() as i32 + 1;
+    let half_rows = ceil(reach * (1.0 + steepest)) + 1;
     let rows = 2 * half_rows + 1;
     let middle_row = |column: i32| {
         let t = if length > 0.0 { ((column as f32 + 0.5 - begin) / length).clamp(0.0, 1.0) } else { 0.0 };
-        (stroke.across_at(t) * side).floor() as i32
+        floor(stroke.across_at(t) * side)
     };
     let mut band = vec![0.0_f32; (columns * rows) as usize];
 
@@ -230,15 +231,13 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
         let (along, across) = (begin + t * length, stroke.across_at(t) * side);
         let (per_along, per_across) = (2.0 / (height * tip.aspect), 2.0 / height);
         let reach = 0.5 * height * (1.0 + tip.aspect * tip.aspect).sqrt() + 1.0;
-        for column in (along - reach).floor() as i32..=(along + reach).ceil() as i32 {
+        for column in floor(along - reach)..=ceil(along + reach) {
             let base = middle_row(column) - half_rows;
             let slot = (column - first_column) * rows;
             if column < first_column || column >= first_column + columns {
                 continue;
             }
-            for row in
-                ((across - reach).floor() as i32).max(base)..=((across + reach).ceil() as i32).min(base + rows - 1)
-            {
+            for row in (floor(across - reach)).max(base)..=(ceil(across + reach)).min(base + rows - 1) {
                 let (dx, dy) = (column as f32 + 0.5 - along, row as f32 + 0.5 - across);
                 let (x, y) = ((dx * ahead + dy * aside) * per_along, (dy * ahead - dx * aside) * per_across);
                 let coverage = tip.coverage(x, y, height) * lightened;

@@ -33,6 +33,7 @@ impl Canvas {
     /// Draws a stroke over the image and remembers what was under it.
     pub(crate) fn draw(&mut self, footprint: &Footprint, measure: &ToneMeasure) {
         self.under.clear();
+        self.under.reserve(footprint.len());
         let mut gain = 0_u64;
         for (texel, above) in footprint.iter() {
             let ink = &mut self.ink[texel];

@@ -7,6 +7,8 @@ mod threshold;
 pub(crate) use canvas::Canvas;
 pub(crate) use threshold::{ThresholdCanvas, distribution};
 
+use std::sync::Arc;
+
 use crate::error::GenerateError;
 use crate::job::Job;
 use crate::map::DeficitCause;
@@ -36,9 +38,14 @@ pub(crate) struct Plan<'a> {
 }
 
 impl Plan<'_> {
-    /// The grain of each family at a level.
-    pub(crate) fn grains(&self, size: u32) -> Vec<Grain> {
-        self.grain.iter().map(|amount| Grain::new(*amount, size, self.seed)).collect()
+    /// The grain of each family at a level; families with the same grain share one.
+    pub(crate) fn grains(&self, size: u32) -> Vec<Arc<Grain>> {
+        let mut grains: Vec<Arc<Grain>> = Vec::new();
+        for (i, amount) in self.grain.iter().enumerate() {
+            let shared = self.grain[..i].iter().position(|other| other == amount).map(|same| grains[same].clone());
+            grains.push(shared.unwrap_or_else(|| Arc::new(Grain::new(*amount, size, self.seed))));
+        }
+        grains
     }
 
     /// The weight sum at which an image of a level has a column's tone.
@@ -222,7 +229,7 @@ pub(crate) fn realise_level(
 pub(crate) fn fill_thresholds(
     plan: &Plan<'_>,
     size: u32,
-    grains: &[Grain],
+    grains: &[Arc<Grain>],
     mut next: Vec<u32>,
     scratch: &mut LevelScratch,
     stroke_of: &mut dyn FnMut(u16, u32) -> Option<Stroke>,

@@ -6,6 +6,7 @@
 
 use crate::map::ThresholdLevel;
 use crate::raster::{Footprint, over};
+use crate::rounding::floor;
 
 /// Share of inked texels at which strokes end and the remaining gaps close from their edges.
 const DENSE: f64 = 0.92;
@@ -160,10 +161,10 @@ fn cumulative(count: usize, sample: impl Fn(usize) -> f32) -> Vec<f32> {
 /// Bilinear sample at a position whose whole numbers are texel middles.
 fn bilinear(level: &ThresholdLevel, x: f32, y: f32) -> f32 {
     let mask = level.size as i32 - 1;
-    let (left, top) = (x.floor(), y.floor());
-    let (fx, fy) = (x - left, y - top);
+    let (left, top) = (floor(x), floor(y));
+    let (fx, fy) = (x - left as f32, y - top as f32);
     let at = |dx: i32, dy: i32| {
-        let (x, y) = ((left as i32 + dx) & mask, (top as i32 + dy) & mask);
+        let (x, y) = ((left + dx) & mask, (top + dy) & mask);
         f32::from(level.threshold[(y * level.size as i32 + x) as usize])
     };
     (1.0 - fy) * ((1.0 - fx) * at(0, 0) + fx * at(1, 0)) + fy * ((1.0 - fx) * at(0, 1) + fx * at(1, 1))

@@ -1,6 +1,7 @@
 //! The density that a family's strokes have laid down so far, seen along the family, and the emptiest place in it.
 
 use super::Draw;
+use crate::rounding::ceil;
 use crate::stroke::{Stroke, wrap_unit};
 
 /// Columns along the strokes; enough to tell the gaps before and after a stroke from the one beside it.
@@ -38,7 +39,7 @@ impl DensityField {
         let mut draw = draw.clone();
         draw.seek(u32::MAX - 1);
         // One number per row and column would cost more than a map's search; a few hundred, laid out twice, tell rows apart.
-        let noise: Vec<f32> = (0..rows).map(|_| draw.next() as f32 * NOISE * kernel[0]).collect();
+        let noise: Vec<f32> = (0..rows).map(|_| draw.unit() as f32 * NOISE * kernel[0]).collect();
         let density = (0..COLUMNS * rows).map(|i| noise[(i * 7 + i / rows) % rows]).collect();
         Self { rows, density, kernel, under: vec![0.0; rows] }
     }
@@ -84,8 +85,8 @@ fn columns_under(stroke: &Stroke, rows: usize) -> impl Iterator<Item = (usize, u
     let stroke = *stroke;
     let (begin, end) =
         (stroke.start_uv * COLUMNS as f32 - 0.5, (stroke.start_uv + stroke.along_uv) * COLUMNS as f32 - 0.5);
-    let mut first = begin.ceil() as i32;
-    let mut count = end.ceil() as i32 - first;
+    let mut first = ceil(begin);
+    let mut count = ceil(end) - first;
     if count <= 0 {
         (first, count) = ((0.5 * (begin + end)).round() as i32, 1);
     }
@@ -145,6 +146,6 @@ mod tests {
         field.add(&level_stroke(0.999, 0.001, 0.5), 1.0, |_| 1.0);
         let (after, row) = field.emptiest_row(&short, |_| 1.0);
         assert!(after > before);
-        assert!(row < 8 || row > 56, "{row}");
+        assert!(!(8..=56).contains(&row), "{row}");
     }
 }

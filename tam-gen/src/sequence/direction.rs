@@ -38,14 +38,14 @@ impl Direction {
     ///
     /// Takes four numbers: start, angle, bow, s-curve. `length` is in tiles along the stroke.
     pub(super) fn shape(&self, options: &StrokeOptions, length: f32, draw: &mut Draw) -> Stroke {
-        let start_uv = draw.next() as f32;
+        let start_uv = draw.unit() as f32;
         // The tangent of a small spread is spread evenly enough; the sum of angles goes by tangents.
-        let turn = draw.next_signed() * libm::tan(options.angle_jitter_deg.to_radians());
+        let turn = draw.signed() * libm::tan(options.angle_jitter_deg.to_radians());
         let slope = match self.axis {
             Axis::X => (self.slope + turn) / (1.0 - self.slope * turn),
             Axis::Y => (self.slope - turn) / (1.0 + self.slope * turn),
         };
-        let (bow, s_curve) = (draw.next_signed() * options.bow, draw.next_signed() * options.s_curve);
+        let (bow, s_curve) = (draw.signed() * options.bow, draw.signed() * options.s_curve);
 
         let stretch = (1.0 + slope * slope).sqrt();
         let length = f64::from(length);

@@ -38,7 +38,7 @@ impl DotField {
         let side = size.min(SIDE_MAX) as usize;
         let mut draw = draw.clone();
         draw.seek(u32::MAX - 1);
-        let noise: Vec<f32> = (0..509).map(|_| draw.next() as f32 * NOISE).collect();
+        let noise: Vec<f32> = (0..509).map(|_| draw.unit() as f32 * NOISE).collect();
         let crowding: Vec<f32> = (0..side * side).map(|cell| noise[(cell * 31) % noise.len()]).collect();
         let mut field = Self {
             side,
@@ -60,7 +60,7 @@ impl DotField {
         self.narrow_kernel(index, width_px);
         self.add(column, row, weight);
         let at = |cell: usize, jitter: f64| wrap_unit((cell as f32 + jitter as f32) / self.side as f32);
-        (at(column, draw.next()), at(row, draw.next()))
+        (at(column, draw.unit()), at(row, draw.unit()))
     }
 
     fn emptiest_cell(&self) -> usize {
@@ -174,7 +174,7 @@ mod tests {
         for index in 0..2000 {
             draw.seek(index);
             points.push(field.place(index, 1.0, 2.0, &mut draw));
-            random.push((draw.next() as f32, draw.next() as f32));
+            random.push((draw.unit() as f32, draw.unit() as f32));
         }
         for count in [8, 30, 100, 333, 1000, 2000] {
             // Best possible (hexagonal) is 1.07; Poisson-disc sets reach about 0.7.

@@ -53,7 +53,7 @@ impl Sequence {
         let (name, angle_deg, options) = (&of.name, of.angle_deg, &of.stroke);
         let mut draw = Draw::new(preset.seed, name);
         draw.seek(u32::MAX);
-        let first_length = draw.next();
+        let first_length = draw.unit();
         let direction = Direction::new(angle_deg);
         let dots = options.length_max == 0.0;
         let field = match (preset.placement.method, dots) {
@@ -97,8 +97,8 @@ impl Sequence {
         self.draw.seek(index);
         // Length and width are settled before the search: a search that could choose them would prefer short strokes.
         let length = self.length(index);
-        let width_scale = (1.0 + self.options.width_jitter * self.draw.next_signed()) as f32;
-        let jitter_in_row = self.draw.next() as f32;
+        let width_scale = (1.0 + self.options.width_jitter * self.draw.signed()) as f32;
+        let jitter_in_row = self.draw.unit() as f32;
         let draw = &mut self.draw;
         let mut stroke = match &mut self.field {
             Field::Dots(field) => {
@@ -107,7 +107,7 @@ impl Sequence {
             }
             Field::None => {
                 let mut shape = self.direction.shape(&self.options, length, draw);
-                shape.across_uv[0] = draw.next() as f32;
+                shape.across_uv[0] = draw.unit() as f32;
                 shape
             }
             Field::Lines(field) => {
@@ -139,10 +139,10 @@ impl Sequence {
 
     /// A stroke of this family that chance put anywhere, as a candidate for a search. Takes seven numbers of `draw`.
     pub fn random_stroke(&self, draw: &mut Draw) -> Stroke {
-        let length = self.options.length_min + (self.options.length_max - self.options.length_min) * draw.next();
-        let width_scale = (1.0 + self.options.width_jitter * draw.next_signed()) as f32;
+        let length = self.options.length_min + (self.options.length_max - self.options.length_min) * draw.unit();
+        let width_scale = (1.0 + self.options.width_jitter * draw.signed()) as f32;
         let mut stroke = self.direction.shape(&self.options, length as f32, draw);
-        stroke.across_uv[0] = draw.next() as f32;
+        stroke.across_uv[0] = draw.unit() as f32;
         stroke.family = self.family;
         stroke.width_px = self.options.width_px as f32 * width_scale;
         stroke

@@ -35,14 +35,14 @@ impl Draw {
 
     /// The next number, `0.0 .. 1.0`, in steps of 2⁻³².
     #[inline]
-    pub fn next(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         f64::from(self.stream.next_u32()) / (f64::from(u32::MAX) + 1.0)
     }
 
     /// The next number, `-1.0 .. 1.0`.
     #[inline]
-    pub fn next_signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
+    pub fn signed(&mut self) -> f64 {
+        2.0 * self.unit() - 1.0
     }
 }
 
@@ -54,16 +54,16 @@ mod tests {
     fn a_strokes_numbers_do_not_depend_on_what_was_drawn_before() {
         let mut draw = Draw::new(7, "h");
         draw.seek(5);
-        let first: Vec<f64> = (0..20).map(|_| draw.next()).collect();
+        let first: Vec<f64> = (0..20).map(|_| draw.unit()).collect();
         draw.seek(0);
-        draw.next();
+        draw.unit();
         draw.seek(5);
-        assert_eq!(first, (0..20).map(|_| draw.next()).collect::<Vec<_>>());
+        assert_eq!(first, (0..20).map(|_| draw.unit()).collect::<Vec<_>>());
     }
 
     #[test]
     fn families_and_seeds_have_streams_of_their_own() {
-        let first = |seed, family| Draw::new(seed, family).next();
+        let first = |seed, family| Draw::new(seed, family).unit();
         assert_ne!(first(1, "h"), first(1, "v"));
         assert_ne!(first(1, "h"), first(2, "h"));
     }
