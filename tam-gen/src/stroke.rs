@@ -80,24 +80,30 @@ impl Stroke {
 /// How the pressure rises and falls along the strokes of a family.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taper {
-    /// Part of the stroke over which the pressure rises, `0.0 ..= 1.0`.
-    pub rise: f32,
     /// Part of the stroke over which the pressure falls, `0.0 ..= 1.0`.
     pub fall: f32,
+    /// One over the part over which it rises; infinite where it does not.
+    per_rise: f32,
+    per_fall: f32,
 }
 
 impl Taper {
     /// The taper of a family; `reversed` families run against their scan axis, so that their ends change places.
     pub fn new(options: &StrokeOptions, reversed: bool) -> Self {
-        let (rise, fall) = (options.taper_in as f32, options.taper_out as f32);
-        if reversed { Self { rise: fall, fall: rise } } else { Self { rise, fall } }
+        let (mut rise, mut fall) = (options.taper_in as f32, options.taper_out as f32);
+        if reversed {
+            std::mem::swap(&mut rise, &mut fall);
+        }
+        Self { fall, per_rise: 1.0 / rise, per_fall: 1.0 / fall }
     }
 
     /// Pressure at `t` of the stroke, `0.0 ..= 1.0`: a parabola over each end, as a pen lands and lifts.
     #[inline]
     pub fn pressure(self, t: f32) -> f32 {
-        let ease = |part: f32, over: f32| if part < over { (part / over) * (2.0 - part / over) } else { 1.0 };
-        ease(t, self.rise).min(ease(1.0 - t, self.fall))
+        // Where there is no taper the ratio is infinite, or at the very end of the stroke NaN; both count as full pressure.
+        let (in_rise, in_fall) = (t * self.per_rise, (1.0 - t) * self.per_fall);
+        let least = if in_rise < in_fall { in_rise } else { in_fall };
+        if least < 1.0 { least * (2.0 - least) } else { 1.0 }
     }
 }
 

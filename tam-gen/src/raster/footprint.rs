@@ -41,13 +41,15 @@ impl Footprint {
         self.column_start.push(self.texel.len() as u32);
     }
 
-    /// Adds the first `lanes` texels of a column's next rows. What lies at a band's rim may leave no ink; it stays out.
+    /// Adds the first `lanes` texels of a column's next rows. All `N` are copied, which is cheaper than a copy of just as
+    /// many as are wanted.
     #[inline]
     pub(super) fn extend<const N: usize>(&mut self, texel: &[u32; N], ink: &[u8; N], lanes: usize) {
-        let first = usize::from(ink[0] == 0);
-        let end = if ink[lanes - 1] == 0 { (lanes - 1).max(first) } else { lanes };
-        self.texel.extend_from_slice(&texel[first..end]);
-        self.ink.extend_from_slice(&ink[first..end]);
+        let end = self.texel.len() + lanes;
+        self.texel.extend_from_slice(texel);
+        self.ink.extend_from_slice(ink);
+        self.texel.truncate(end);
+        self.ink.truncate(end);
     }
 
     #[inline]

@@ -22,22 +22,26 @@ impl Grain {
             return Self::default();
         }
         let tile = size.min(TILE);
-        let heights: Vec<f32> = (0..tile * tile)
-            .map(|texel| hash(seed, texel & (tile - 1), texel / tile) as f32 / u32::MAX as f32)
-            .collect();
-        let height = |x: u32, y: u32| heights[((y & (tile - 1)) * tile + (x & (tile - 1))) as usize];
-        let stays = (0..tile * tile)
-            .map(|texel| {
-                let (x, y) = (texel & (tile - 1), texel / tile);
-                // A small tent blur gives the tooth a size of about two texels; the contrast lost is put back.
-                let mut sum = 4.0 * height(x, y);
-                for (dx, dy) in [(1, 0), (tile - 1, 0), (0, 1), (0, tile - 1)] {
-                    sum += 1.5 * height(x + dx, y + dy);
-                }
-                let tooth = ((sum / 10.0 - 0.5) * 2.2 + 0.5).clamp(0.0, 1.0);
-                (255.0 * (1.0 - amount * tooth) + 0.5) as u8
-            })
-            .collect();
+        let heights = heights(seed, tile);
+        let side = tile as usize;
+        let row = |y: usize| &heights[(y & (side - 1)) * side..][..side];
+        let stays_of = |tooth: i32| {
+            // Contrast lost to the blur is put back; then heights of 0 ..= 1 become parts of the ink.
+            let tooth = ((tooth as f32 / (10.0 * 65535.0) - 0.5) * 2.2 + 0.5).clamp(0.0, 1.0);
+            (255.0 * (1.0 - amount * tooth) + 0.5) as u8
+        };
+        let mut stays = Vec::with_capacity(side * side);
+        for y in 0..side {
+            let (above, here, below) = (row(y + side - 1), row(y), row(y + 1));
+            // A small tent blur gives the tooth a size of about two texels.
+            let blurred = |left: usize, x: usize, right: usize| {
+                let at = |row: &[u16], x: usize| i32::from(row[x]);
+                4 * at(here, x) + (3 * (at(here, left) + at(here, right) + at(above, x) + at(below, x))) / 2
+            };
+            stays.push(stays_of(blurred(side - 1, 0, 1)));
+            stays.extend((1..side - 1).map(|x| stays_of(blurred(x - 1, x, x + 1))));
+            stays.push(stays_of(blurred(side - 2, side - 1, 0)));
+        }
         Self { stays, tile_mask: tile - 1, size_shift: size.ilog2() }
     }
 
@@ -61,10 +65,21 @@ impl Grain {
     }
 }
 
-/// A well-mixed hash of a texel (the finaliser of MurmurHash3 over its packed coordinates).
-fn hash(seed: u64, x: u32, y: u32) -> u32 {
-    let mut h = seed ^ (u64::from(y) << 32 | u64::from(x)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+/// White noise on a tile, four heights from each hash.
+fn heights(seed: u64, tile: u32) -> Vec<u16> {
+    let quads = u64::from(tile) * u64::from(tile) / 4;
+    let mut heights = Vec::with_capacity(4 * quads as usize);
+    for quad in 0..quads {
+        let hash = hash(seed, (u64::from(tile) << 32) | quad);
+        heights.extend([hash as u16, (hash >> 16) as u16, (hash >> 32) as u16, (hash >> 48) as u16]);
+    }
+    heights
+}
+
+/// A well-mixed hash of a counter (the finaliser of MurmurHash3).
+fn hash(seed: u64, counter: u64) -> u64 {
+    let mut h = seed ^ counter.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     h = (h ^ (h >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
     h = (h ^ (h >> 33)).wrapping_mul(0xc4ce_b9fe_1a85_ec53);
-    ((h ^ (h >> 33)) >> 32) as u32
+    h ^ (h >> 33)
 }

@@ -14,9 +14,9 @@ const LEVEL_SLOPE: f32 = 0.02;
 pub(super) fn scan(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut Footprint) {
     let side = size as f32;
     let mask = size as i32 - 1;
-    let (along_stride, across_stride) = match stroke.axis {
-        Axis::X => (1, size),
-        Axis::Y => (size, 1),
+    let (along_shift, across_shift) = match stroke.axis {
+        Axis::X => (0, size.ilog2()),
+        Axis::Y => (size.ilog2(), 0),
     };
     let begin = stroke.start_uv * side;
     let length = stroke.along_uv * side;
@@ -34,12 +34,13 @@ pub(super) fn scan(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut 
         let ink_of_area = 255.0 * nib.opacity * lightened * filled;
 
         out.begin_column();
-        let along_offset = (column & mask) as u32 * along_stride;
+        let along_offset = ((column & mask) as u32) << along_shift;
         let band = Band::new(middle - half, middle + half, slope.abs());
         let (first, last) = band.rows();
         let mut row = first;
         while row <= last {
-            let texels = std::array::from_fn(|lane| along_offset + ((row + lane as i32) & mask) as u32 * across_stride);
+            let texels =
+                std::array::from_fn(|lane| along_offset + ((((row + lane as i32) & mask) as u32) << across_shift));
             let ink = band.areas(row as f32).map(|area| to_ink(area * ink_of_area));
             let lanes = (last - row + 1).min(LANES as i32) as usize;
             out.extend(&texels, &ink, lanes);
@@ -48,8 +49,8 @@ pub(super) fn scan(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut 
     }
 }
 
-/// Rows computed at once, so that they fill vector registers; most strokes fit into one go.
-const LANES: usize = 8;
+/// Rows computed at once: one vector register, and most strokes fit into one go.
+const LANES: usize = 4;
 
 /// Rounds a number in `0 ..= 255`: its bits stand at the low end of the sum's. Three operations, where a checked conversion
 /// takes a dozen.

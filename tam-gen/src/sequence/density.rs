@@ -5,7 +5,7 @@ use crate::rounding::ceil;
 use crate::stroke::{Stroke, wrap_unit};
 
 /// Columns along the strokes; enough to tell the gaps before and after a stroke from the one beside it.
-const COLUMNS: usize = 32;
+const COLUMNS: usize = 16;
 /// Rows across the strokes; a stroke's place is settled to one of them and jittered within it.
 const ROWS: std::ops::RangeInclusive<usize> = 64..=4096;
 /// Core of the kernel in stroke widths.
