@@ -32,15 +32,13 @@ impl Canvas {
 
     /// Draws a stroke over the image and remembers what was under it.
     pub(crate) fn draw(&mut self, footprint: &Footprint, measure: &ToneMeasure) {
-        self.under.clear();
-        self.under.reserve(footprint.len());
+        self.under.resize(footprint.len(), 0);
         let mut gain = 0_u64;
-        for (texel, above) in footprint.iter() {
+        for ((texel, above), under) in footprint.iter().zip(&mut self.under) {
             let ink = &mut self.ink[texel];
-            let below = *ink;
-            self.under.push(below);
-            *ink = over(below, above);
-            gain += u64::from(measure.weight(*ink) - measure.weight(below));
+            *under = *ink;
+            *ink = over(*under, above);
+            gain += u64::from(measure.weight(*ink) - measure.weight(*under));
         }
         self.sum += gain;
     }

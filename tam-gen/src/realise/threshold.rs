@@ -143,8 +143,8 @@ pub(crate) fn distribution(levels: &[ThresholdLevel]) -> Vec<Vec<f32>> {
 /// Cumulative distribution of samples in `0.0 ..= 255.0` at [`ENTRIES`] even steps.
 fn cumulative(count: usize, sample: impl Fn(usize) -> f32) -> Vec<f32> {
     let mut histogram = vec![0_u32; 256];
-    // A few tens of thousands of samples settle the table to a thousandth; an odd step visits all columns.
-    let step = (count >> 15).max(1) | 1;
+    // Some ten thousand samples settle the table to a few thousandths; an odd step visits all columns.
+    let step = (count >> 13).max(1) | 1;
     for i in (0..count).step_by(step) {
         histogram[(sample(i) as usize).min(255)] += 1;
     }

@@ -98,7 +98,6 @@ impl Sequence {
         // Length and width are settled before the search: a search that could choose them would prefer short strokes.
         let length = self.length(index);
         let width_scale = (1.0 + self.options.width_jitter * self.draw.signed()) as f32;
-        let jitter_in_row = self.draw.unit() as f32;
         let draw = &mut self.draw;
         let mut stroke = match &mut self.field {
             Field::Dots(field) => {
@@ -113,7 +112,7 @@ impl Sequence {
             Field::Lines(field) => {
                 let taper = self.taper;
                 let pressure = |t| LEAST_PRESSURE.max(taper.pressure(t));
-                let (mut best, mut best_row, mut lowest) = (self.direction.blank(), 0, f32::INFINITY);
+                let (mut best, mut best_row, mut lowest) = (self.direction.blank(), 0.0, f32::INFINITY);
                 for _ in 0..self.effort {
                     let shape = self.direction.shape(&self.options, length, draw);
                     let (density, row) = field.emptiest_row(&shape, pressure);
@@ -121,7 +120,7 @@ impl Sequence {
                         (best, best_row, lowest) = (shape, row, density);
                     }
                 }
-                best.across_uv[0] = field.uv_of_row(best_row as f32 + jitter_in_row);
+                best.across_uv[0] = field.uv_of_row(best_row);
                 field.add(&best, width_scale, pressure);
                 best
             }
