@@ -8,51 +8,147 @@ use crate::measure::{self, StrokeWidth};
 const CHANGE: f64 = 0.1;
 /// The same in texels, for thin strokes: the accuracy of the measure.
 const CHANGE_PX: f64 = 0.15;
-/// Fewest texels worth judging.
+/// Fewest places worth judging, and most that are measured.
 const SAMPLES: usize = 40;
+const SAMPLES_MAX: usize = 256;
+/// Neighbouring chords that cross the same grain, and so tell the same.
+const CHORDS_ALIKE: f64 = 4.0;
+/// Standard errors of a width that have to fit into [`CHANGE`].
+const ERRORS: f64 = 3.0;
 /// Fewest texels per texel of width, where only pixels are known, so that wide strokes are several too.
 const SAMPLES_PER_WIDTH: f64 = 60.0;
 
 /// Part of a stroke left out at either end. Tapers are the same part of a stroke at every level, so they need not be.
-const ENDS: f64 = 0.15;
+const ENDS: f32 = 0.15;
 
-/// Width of each level's strokes against the finest, in the lightest column that has enough inked texels at the coarsest
-/// judged level.
+/// Width of each level's strokes against the finest, in the lightest columns that show enough of them.
 ///
-/// Widths may differ from stroke to stroke, so all levels are measured on the same ones. With a stroke list: on the centre
-/// lines of strokes that the coarsest judged level draws whole, where no other comes near. Without: where that level is
-/// inked; crowded strokes touch more often at coarse levels, which widens the median, so the change is that of the median
-/// or of the lower quartile, whichever changed less. Thicker strokes widen both.
+/// Widths may differ from stroke to stroke and along it, so the same places are measured in both levels. With a stroke
+/// list: on the centre lines of strokes that the coarser level draws whole, where no other comes near in either. Without:
+/// where the coarsest level that has enough ink is inked; crowded strokes touch more often at coarse levels, which widens
+/// the median, so the change is that of the median or of the lower quartile, whichever changed less. Thicker strokes
+/// widen both.
 pub(super) fn check(subject: &Subject) -> Finding {
-    let constraint = Constraint::StrokeWidth;
     // Dots have no more than a point of a centre line.
     let lined = subject.strokes().ok().filter(|strokes| strokes.strokes.iter().any(|stroke| stroke.along_uv > 0.0));
-    let judged = (1..subject.grid.hand_built).rev().find_map(|coarsest| {
-        let light = subject.grid.columns().div_ceil(2);
-        (0..light).find_map(|column| {
-            let widths = match lined {
-                Some(strokes) => widths_on_lines(subject, strokes, coarsest, column),
-                None => widths_on_ink(subject, coarsest, column),
-            };
-            widths.map(|widths| (column, widths))
-        })
-    });
-    let Some((column, widths)) = judged else {
-        return Finding::not_judged(constraint, "no level but the finest has strokes enough, and room between them");
+    let judged = match lined {
+        Some(strokes) => changes_on_lines(subject, strokes),
+        None => changes_on_ink(subject),
     };
-    let finest = widths[0];
-    let limit = Limit::AtMost(CHANGE.max(CHANGE_PX / finest.median_px.max(1e-6)));
-    let change = |of: fn(&StrokeWidth) -> f64, level: usize| (of(&widths[level]) / of(&finest).max(1e-6) - 1.0).abs();
-    let cells = (1..widths.len())
-        .filter(|&level| widths[level].samples >= SAMPLES)
-        .map(|level| (level, change(|width| width.median_px, level).min(change(|width| width.lower_px, level))))
-        .map(|(level, change)| CellFinding::new(level, column, change, limit))
-        .collect();
-    Finding::of_cells(constraint, "change", cells, |worst| {
-        let (px, finest_px) = (widths[worst.level].median_px, finest.median_px);
+    if judged.is_empty() {
+        let why = "no level but the finest has strokes enough, and room between them";
+        return Finding::not_judged(Constraint::StrokeWidth, why);
+    }
+    let cells = judged.iter().map(|change| CellFinding::new(change.level, change.column, change.part, change.limit));
+    Finding::of_cells(Constraint::StrokeWidth, "change", cells.collect(), |worst| {
         let place = subject.place(worst.level, worst.column);
+        let change = judged.iter().find(|change| change.level == worst.level);
+        let (px, finest_px) = change.map_or((0.0, 0.0), |change| (change.px, change.finest_px));
         format!("{place}: strokes of {px:.2} px, in the finest level {finest_px:.2} px")
     })
+}
+
+/// How the width of a level differs from the finest's.
+struct Change {
+    level: usize,
+    column: usize,
+    part: f64,
+    limit: Limit,
+    px: f64,
+    finest_px: f64,
+}
+
+impl Change {
+    fn new(level: usize, column: usize, part: f64, px: f64, finest_px: f64) -> Self {
+        let limit = Limit::AtMost(CHANGE.max(CHANGE_PX / finest_px.max(1e-6)));
+        Self { level, column, part, limit, px, finest_px }
+    }
+}
+
+/// Whether the median of `samples` numbers is certain enough to be held against the limit, given its distance to the lower
+/// quartile as a part of it: grain and jitter spread them, and the median of few is a matter of chance.
+fn tells(samples: usize, to_quartile: f64) -> bool {
+    // Of a normal distribution the lower quartile lies 0.674 deviations below the median, whose standard error is 1.25
+    // deviations over the root of the count.
+    let standard_error = 1.25 * to_quartile / 0.674 / (samples as f64 / CHORDS_ALIKE).sqrt();
+    samples >= SAMPLES && ERRORS * standard_error <= CHANGE
+}
+
+/// Changes where strokes are known.
+fn changes_on_lines(subject: &Subject, strokes: &StrokeList) -> Vec<Change> {
+    let light = subject.grid.columns().div_ceil(2);
+    let crowded_finest: Vec<Vec<bool>> = (0..light).map(|column| crowded(subject, strokes, 0, column)).collect();
+    (1..subject.grid.hand_built)
+        .filter_map(|level| {
+            (0..light).find_map(|column| change_on_lines(subject, strokes, level, column, &crowded_finest[column]))
+        })
+        .collect()
+}
+
+fn change_on_lines(
+    subject: &Subject,
+    strokes: &StrokeList,
+    level: usize,
+    column: usize,
+    crowded_finest: &[bool],
+) -> Option<Change> {
+    let (coarse, finest) = (&subject.grid.levels[level], &subject.grid.levels[0]);
+    let crowded_coarse = crowded(subject, strokes, level, column);
+    let texel = |size: u32, (u, v): (f32, f32)| {
+        let at = |x: f32| ((x * size as f32) as u32).min(size - 1);
+        (at(v) * size + at(u)) as usize
+    };
+    let drawn = strokes.strokes.iter().zip(&strokes.first_column[level]);
+    let places: Vec<(f32, f32)> = drawn
+        .filter(|(stroke, first)| usize::from(**first) <= column && stroke.along_uv > 0.0)
+        .flat_map(|(stroke, _)| {
+            let steps = (stroke.along_uv * coarse.size as f32).ceil() as u32;
+            let within = (1..steps).map(move |step| step as f32 / steps as f32);
+            within.filter(|t| (ENDS..=1.0 - ENDS).contains(t)).map(|t| stroke.point_uv(t))
+        })
+        .filter(|&at| !crowded_coarse[texel(coarse.size, at)] && !crowded_finest[texel(finest.size, at)])
+        .collect();
+
+    // From the finest level, where most strokes show it.
+    let full_ink = measure::full_ink(&finest.cells[0]);
+    let mut pairs: Vec<(f64, f64)> = places
+        .iter()
+        .step_by(places.len().div_ceil(SAMPLES_MAX).max(1))
+        .filter_map(|&(u, v)| {
+            let at = (f64::from(u), f64::from(v));
+            let width = |level: &Level| measure::stroke_width_at(&level.cells[column], level.size, full_ink, at);
+            Some((width(coarse)?, width(finest)?))
+        })
+        .collect();
+    pairs.sort_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
+    let (px, finest_px) = *pairs.get(pairs.len() / 2)?;
+    let lower = pairs[pairs.len() / 4];
+    let ratio = px / finest_px;
+    let room = px <= 0.25 * f64::from(coarse.size);
+    (room && tells(pairs.len(), 1.0 - lower.0 / lower.1 / ratio))
+        .then(|| Change::new(level, column, (ratio - 1.0).abs(), px, finest_px))
+}
+
+/// Changes where only pixels are known.
+fn changes_on_ink(subject: &Subject) -> Vec<Change> {
+    let light = subject.grid.columns().div_ceil(2);
+    let judged = (1..subject.grid.hand_built).rev().find_map(|coarsest| {
+        (0..light).find_map(|column| widths_on_ink(subject, coarsest, column).map(|widths| (column, widths)))
+    });
+    let Some((column, widths)) = judged else { return Vec::new() };
+    let finest = widths[0];
+    let change = |of: fn(&StrokeWidth) -> f64, level: usize| (of(&widths[level]) / of(&finest).max(1e-6) - 1.0).abs();
+    (1..widths.len())
+        .filter(|&level| enough(&widths[level]))
+        .map(|level| {
+            let part = change(|width| width.median_px, level).min(change(|width| width.lower_px, level));
+            Change::new(level, column, part, widths[level].median_px, finest.median_px)
+        })
+        .collect()
+}
+
+fn enough(width: &StrokeWidth) -> bool {
+    tells(width.samples, 1.0 - width.lower_px / width.median_px.max(1e-6))
 }
 
 /// Widths of the levels from the finest to `coarsest` in a column, where the coarsest is inked; `None` if that has too few
@@ -68,30 +164,6 @@ fn widths_on_ink(subject: &Subject, coarsest: usize, column: usize) -> Option<Ve
         (0..size * size).map(|i| inked(i / size / finer * coarse.size as usize + i % size / finer)).collect()
     })?;
     (texels >= SAMPLES_PER_WIDTH * widths[coarsest].median_px).then_some(widths)
-}
-
-/// The same on the centre lines of strokes that the coarsest level draws whole, away from all others.
-fn widths_on_lines(
-    subject: &Subject,
-    strokes: &StrokeList,
-    coarsest: usize,
-    column: usize,
-) -> Option<Vec<StrokeWidth>> {
-    let drawn = |stroke: usize| usize::from(strokes.first_column[coarsest][stroke]) <= column;
-    let crowded = crowded(subject, strokes, coarsest, column);
-    let coarse_size = subject.grid.levels[coarsest].size as usize;
-    widths_where(subject, coarsest, column, |level| {
-        let size = level.size as usize;
-        let finer = size / coarse_size;
-        let alone = |i: usize| !crowded[i / size / finer * coarse_size + i % size / finer];
-        let mut mask = vec![false; size * size];
-        for stroke in (0..strokes.strokes.len()).filter(|stroke| drawn(*stroke)) {
-            measure::visit_centre_line(&strokes.strokes[stroke], level.size, ENDS, |texel, _| {
-                mask[texel] = alone(texel)
-            });
-        }
-        mask
-    })
 }
 
 /// The texels of a cell that lie near more than one of its strokes.
@@ -138,6 +210,6 @@ fn widths_where(
     };
     let coarse = measured(&subject.grid.levels[coarsest]);
     let widest = 0.25 * f64::from(subject.grid.levels[coarsest].size);
-    (coarse.samples >= SAMPLES && coarse.median_px <= widest)
+    (enough(&coarse) && coarse.median_px <= widest)
         .then(|| subject.grid.levels[..coarsest].iter().map(measured).chain([coarse]).collect())
 }

@@ -23,7 +23,7 @@ pub use stroke_map::{PatternMatch, pattern_match, pattern_mismatch, threshold_sh
 pub use tone::{ToneErrors, tone_errors, tones};
 pub use tone_nesting::{ToneNesting, lighter_than_before, tone_nesting};
 pub use uniformity::{box_cv, gap_cv, low_frequency_share};
-pub use width::{StrokeWidth, stroke_width};
+pub use width::{StrokeWidth, stroke_width, stroke_width_at};
 
 #[cfg(test)]
 mod tests;

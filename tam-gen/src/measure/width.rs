@@ -6,6 +6,7 @@
 //! the raster, since anti-aliasing keeps the ink.
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// The width of the strokes of an image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,7 +20,8 @@ pub struct StrokeWidth {
 }
 
 /// Directions of the chords, spread over half a turn; the nearest one is at most 5.6° off, which adds 0.5 %.
-const DIRECTIONS: usize = 16;
+static DIRECTIONS: LazyLock<[(f64, f64); 16]> =
+    LazyLock::new(|| std::array::from_fn(|i| PI * i as f64 / 16.0).map(|angle| (libm::cos(angle), libm::sin(angle))));
 /// Step along a chord, in texels.
 const STEP_PX: f64 = 0.25;
 /// Most texels measured per image; more are thinned evenly.
@@ -44,19 +46,23 @@ pub fn stroke_width(ink: &[u8], size: u32, full_ink: u8, select: impl Fn(u32, u3
         .flat_map(|y| (0..size).map(move |x| (x, y)))
         .filter(|&(x, y)| f64::from(ink[(y * size + x) as usize]) >= 0.5 * full_ink && select(x, y))
         .collect();
-    let directions: Vec<(f64, f64)> = (0..DIRECTIONS)
-        .map(|i| PI * i as f64 / DIRECTIONS as f64)
-        .map(|angle| (libm::cos(angle), libm::sin(angle)))
-        .collect();
     let image = Bilinear { ink, size: size as usize, full_ink };
     let mut widths: Vec<f64> = texels
         .iter()
         .step_by(texels.len().div_ceil(SAMPLES).max(1))
-        .map(|&(x, y)| least_chord(&image, (f64::from(x), f64::from(y)), &directions))
+        .map(|&(x, y)| least_chord(&image, (f64::from(x), f64::from(y)), &*DIRECTIONS))
         .collect();
     widths.sort_by(f64::total_cmp);
     let quantile = |i: usize| widths.get(i).copied().unwrap_or(0.0);
     StrokeWidth { median_px: quantile(widths.len() / 2), lower_px: quantile(widths.len() / 4), samples: widths.len() }
+}
+
+/// The same at one point `(u, v)` of the tile, in texels; `None` on less than half of `full_ink`.
+pub fn stroke_width_at(ink: &[u8], size: u32, full_ink: u8, (u, v): (f64, f64)) -> Option<f64> {
+    let full_ink = f64::from(full_ink.max(1));
+    let image = Bilinear { ink, size: size as usize, full_ink };
+    let (x, y) = (u * f64::from(size) - 0.5, v * f64::from(size) - 0.5);
+    (image.at(x, y) >= 0.5 * full_ink).then(|| least_chord(&image, (x, y), &*DIRECTIONS))
 }
 
 fn least_chord(image: &Bilinear, centre: (f64, f64), directions: &[(f64, f64)]) -> f64 {
