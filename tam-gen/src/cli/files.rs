@@ -50,7 +50,7 @@ pub(super) fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
     if !force && path.symlink_metadata().is_ok() {
         return Err(Failure::Output {
             message: format!("{} is already there", path.display()),
-            help: Some("--force replaces it, -o chooses another place".to_owned()),
+            help: Some("--force replaces it; or name another place".to_owned()),
         });
     }
     Ok(())
