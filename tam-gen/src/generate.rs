@@ -39,8 +39,12 @@ impl Generator {
     /// particular images, but may be used again.
     ///
     /// # Errors
-    /// When cancelled, or when the preset holds something no map can be made from.
+    /// When cancelled, or when the preset holds something no map can be made from: the first of [`Preset::validate`].
     pub fn generate_into(&mut self, preset: &Preset, job: &Job<'_>, map: &mut Map) -> Result<(), GenerateError> {
+        if let Some(violation) = preset.validate().into_iter().next() {
+            let problem = format!("{}; allowed: {}", violation.problem, violation.expected);
+            return Err(GenerateError::Preset { at: violation.at.to_string(), problem });
+        }
         let named = ToneMeasure::named(preset.map.tone_measure);
         let families = families(preset);
         let mut sequences: Vec<Sequence> =

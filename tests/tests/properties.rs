@@ -173,7 +173,7 @@ fn one_two_and_eight_threads_make_the_same_bytes() {
     for method in PlacementMethod::ALL {
         let mut preset = Preset::named("pencil").expect("it ships").expect("a valid preset");
         preset.placement.method = method;
-        preset.placement.candidates_first = 60;
+        (preset.placement.candidates_first, preset.placement.candidates_last) = (60, 20);
         let make = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a thread pool");
             pool.install(|| generate(&preset, &Job::default()).expect("a valid preset"))
@@ -195,6 +195,26 @@ fn a_generator_reused_over_different_presets_remembers_nothing() {
         preset.map.tail = name == "woodcut";
         generator.generate_into(&preset, &Job::default(), &mut map).expect("a valid preset");
         assert!(map == generate(&preset, &Job::default()).expect("a valid preset"), "{name}");
+    }
+}
+
+#[test]
+fn a_preset_built_in_code_is_checked_like_a_file() {
+    let spoil: [fn(&mut Preset); 8] = [
+        |preset| preset.map.size = 100,
+        |preset| preset.map.size = 0,
+        |preset| preset.map.coarsest = 1024,
+        |preset| preset.map.tones = Tones::List(vec![0.5, f64::NAN]),
+        |preset| preset.map.tones = Tones::List(vec![]),
+        |preset| preset.stroke.width_px = f64::INFINITY,
+        |preset| preset.schedule = vec!["nobody".into()],
+        |preset| preset.families.clear(),
+    ];
+    for (i, spoil) in spoil.iter().enumerate() {
+        let mut preset = Preset::default();
+        spoil(&mut preset);
+        let result = generate(&preset, &Job::default());
+        assert!(matches!(result, Err(tam_gen::GenerateError::Preset { .. })), "case {i}");
     }
 }
 

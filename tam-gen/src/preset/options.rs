@@ -208,8 +208,8 @@ stroke_options! {
 options! {
     /// The shape that draws a stroke: stamped along it, as wide as the stroke, turned with its direction.
     TipOptions in "tip" as TIP_RANGES {
-        /// Distance between stamps, in stroke widths.
-        spacing: f64 = 0.2, "widths", 0.02..4;
+        /// Distance between stamps, in lengths of the tip along the stroke: below 1 they run together.
+        spacing: f64 = 0.25, "tip lengths", 0.02..4;
     }
     plus {
         /// The shape as SVG path data (`M0 0 L1 0 …`), filled; scaled to the stroke's width.

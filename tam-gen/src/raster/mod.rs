@@ -30,7 +30,7 @@ pub struct Nib {
     pub opacity: f32,
     /// What is stamped along the stroke in place of a plain line.
     pub tip: Option<TipMask>,
-    /// Distance between stamps in stroke widths.
+    /// Distance between stamps in lengths of the tip.
     pub tip_spacing: f32,
 }
 

@@ -15,6 +15,8 @@ use crate::stroke::{Axis, Stroke};
 const ACROSS: u32 = 64;
 /// Longest tip, as a multiple of its height.
 const LONGEST: f32 = 8.0;
+/// Shortest stamp in pixels.
+const LENGTH_MIN_PX: f32 = 2.0;
 /// Largest picture that is read as a tip.
 const PICTURE_SIDE_MAX: u32 = 4096;
 
@@ -87,11 +89,21 @@ impl TipMask {
     /// Coverage at a point of the tip, both coordinates `-1 ..= 1`, for a stamp of the given height in pixels.
     #[inline]
     fn coverage(&self, along: f32, across: f32, height_px: f32) -> f32 {
+        let (u, v) = (0.5 + 0.5 * along, 0.5 + 0.5 * across);
+        let rows = 1.5 * height_px;
         let mut level = 0;
-        while level + 1 < self.mips.len() && self.mips[level].height as f32 > 1.5 * height_px {
+        while level + 1 < self.mips.len() && self.mips[level].height as f32 > rows {
             level += 1;
         }
-        self.mips[level].sample(0.5 + 0.5 * along, 0.5 + 0.5 * across)
+        let here = self.mips[level].sample(u, v);
+        // From one version to the next without a step, where a tapering stroke narrows.
+        let finer = 2.0 * (1.0 - self.mips[level].height as f32 / rows).clamp(0.0, 0.5);
+        if level == 0 || finer == 0.0 { here } else { here + (self.mips[level - 1].sample(u, v) - here) * finer }
+    }
+
+    /// Length of a stamp of the given height in pixels. A shorter one would fall between the pixels' middles.
+    fn length_px(&self, height_px: f32) -> f32 {
+        (height_px * self.aspect).max(LENGTH_MIN_PX)
     }
 }
 
@@ -203,7 +215,8 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
         Axis::Y => (size, 1),
     };
     let (begin, length) = (stroke.start_uv * side, stroke.along_uv * side);
-    let reach = 0.5 * stroke.width_px * (1.0 + tip.aspect * tip.aspect).sqrt() + 1.0;
+    let tip_length = tip.length_px(stroke.width_px);
+    let reach = 0.5 * (stroke.width_px * stroke.width_px + tip_length * tip_length).sqrt() + 1.0;
 
     // A band that follows the stroke: for each scan column, rows around the middle of the stroke there.
     let first_column = floor(begin - reach);
@@ -217,7 +230,7 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
     };
     let mut band = vec![0.0_f32; (columns * rows) as usize];
 
-    let stamps = (length / (nib.tip_spacing * stroke.width_px).max(0.25)).ceil() as i32 + 1;
+    let stamps = (length / (nib.tip_spacing * tip_length).max(0.25)).ceil() as i32 + 1;
     for stamp in 0..stamps {
         let t = if stamps > 1 { stamp as f32 / (stamps - 1) as f32 } else { 0.5 };
         let (narrowed, lightened) = if length > 0.0 { nib.pressed(part, t) } else { (1.0, part.strength) };
@@ -229,8 +242,9 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
         let shorten = 1.0 / (1.0 + slope * slope).sqrt();
         let (ahead, aside) = (shorten, slope * shorten);
         let (along, across) = (begin + t * length, stroke.across_at(t) * side);
-        let (per_along, per_across) = (2.0 / (height * tip.aspect), 2.0 / height);
-        let reach = 0.5 * height * (1.0 + tip.aspect * tip.aspect).sqrt() + 1.0;
+        let tip_length = tip.length_px(height);
+        let (per_along, per_across) = (2.0 / tip_length, 2.0 / height);
+        let reach = 0.5 * (height * height + tip_length * tip_length).sqrt() + 1.0;
         for column in floor(along - reach)..=ceil(along + reach) {
             let base = middle_row(column) - half_rows;
             let slot = (column - first_column) * rows;

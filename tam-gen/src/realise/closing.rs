@@ -13,7 +13,7 @@ use crate::stroke::Stroke;
 /// Shortest piece that is drawn at full strength, in widths of the stroke; anything shorter looks like a speck.
 const STUB_WIDTHS: f32 = 4.0;
 /// Steps in which ends and strengths are tried; what is left goes in texel by texel.
-const STEPS: usize = 64;
+const STEPS: usize = 256;
 
 /// A stroke that is to be drawn in part.
 pub(super) struct Closing<'a> {
