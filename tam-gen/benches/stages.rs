@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use tam_gen::preset::{PlacementMethod, StrokeOptions};
+use tam_gen::preset::PlacementMethod;
 use tam_gen::raster::{Footprint, Grain, Nib, over};
 use tam_gen::sequence::Sequence;
 use tam_gen::{Generator, Job, Map, Preset, generate};
@@ -20,7 +20,7 @@ fn pencil(size: u32) -> Preset {
 fn raster(criterion: &mut Criterion) {
     let map = generate(&pencil(256), &Job::default()).expect("a valid preset");
     let stroke = map.strokes.strokes[0];
-    let nib = Nib::new(&StrokeOptions::default(), false).expect("no tip");
+    let nib = Nib::new(&map.strokes.families[0]).expect("no tip");
     let mut group = criterion.benchmark_group("raster");
     for size in [32_u32, 256, 1024] {
         let mut footprint = Footprint::default();

@@ -49,16 +49,13 @@ impl Generator {
         let families = families(preset);
         let mut sequences: Vec<Sequence> =
             (0..).zip(&families).map(|(i, family)| Sequence::new(preset, i, family)).collect();
-        let nibs = families
-            .iter()
-            .zip(&sequences)
-            .map(|(family, sequence)| {
-                Nib::new(&family.stroke, sequence.reversed()).map_err(|error| GenerateError::Preset {
-                    at: format!("families.{}.tip", family.name),
-                    problem: error.to_string(),
-                })
+        let nib = |family: &Family| {
+            Nib::new(family).map_err(|error| GenerateError::Preset {
+                at: format!("families.{}.tip", family.name),
+                problem: error.to_string(),
             })
-            .collect::<Result<Vec<_>, _>>()?;
+        };
+        let nibs = families.iter().map(nib).collect::<Result<Vec<_>, _>>()?;
         let tones = preset.map.tones.list();
         let schedule = schedule(preset, &families)?;
         let grain: Vec<f32> = families.iter().map(|family| family.stroke.grain as f32).collect();

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::preset::{Preset, StrokeOptions};
-use crate::stroke::Stroke;
+use crate::sequence::Direction;
+use crate::stroke::{Stroke, Taper};
 
 /// A finished map with all that it was made from.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -94,6 +95,13 @@ pub struct Family {
     pub angle_deg: f64,
     /// What all its strokes share.
     pub stroke: StrokeOptions,
+}
+
+impl Family {
+    /// How the pressure rises and falls along its strokes.
+    pub fn taper(&self) -> Taper {
+        Taper::new(&self.stroke, Direction::new(self.angle_deg).reversed)
+    }
 }
 
 /// A stroke of which a cell shows only a part.

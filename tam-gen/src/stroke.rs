@@ -88,6 +88,9 @@ pub struct Taper {
 }
 
 impl Taper {
+    /// Full pressure throughout.
+    pub const NONE: Taper = Taper { fall: 0.0, per_rise: f32::INFINITY, per_fall: f32::INFINITY };
+
     /// The taper of a family; `reversed` families run against their scan axis, so that their ends change places.
     pub fn new(options: &StrokeOptions, reversed: bool) -> Self {
         let (mut rise, mut fall) = (options.taper_in as f32, options.taper_out as f32);

@@ -77,8 +77,7 @@ fn row(preset: &Preset, size: u32) -> Row {
 
 /// The bound: every stroke of every level drawn once, nothing else. All families of the preset share one grain.
 fn rasterise_once(map: &Map) {
-    let nibs: Vec<Nib> =
-        map.strokes.families.iter().map(|family| Nib::new(&family.stroke, false).expect("no tip")).collect();
+    let nibs: Vec<Nib> = map.strokes.families.iter().map(|family| Nib::new(family).expect("no tip")).collect();
     let mut footprint = Footprint::default();
     for (level, first_column) in map.grid.drawn().iter().zip(&map.strokes.first_column) {
         let grain = |amount: f64| Grain::new(amount as f32, level.size, map.preset.seed);

@@ -3,14 +3,15 @@
 use std::fmt::Write;
 
 use crate::map::{Map, StrokeList};
-use crate::stroke::{Axis, Stroke};
+use crate::stroke::{Axis, Stroke, Taper};
 
 /// The finest level of the darkest column as SVG, one unit per texel.
 ///
 /// Each family is a group, and in it each column is a group of the strokes that appear in it first, so hiding the last
-/// groups shows the lighter tones. The strokes that the darkest column draws in part come last. A path is the centre
-/// line of its stroke, exactly (a cubic in uv is a cubic Bézier curve), with the stroke's width; taper, grain and tips
-/// are properties of texels and are not drawn. `paper` and `ink` are colours that SVG understands.
+/// groups shows the lighter tones. The strokes that the darkest column draws in part come last. The path of an even stroke
+/// is its centre line, exactly (a cubic in uv is a cubic Bézier curve), with the stroke's width; a tapering stroke is its
+/// outline, filled, as wide as its pressure, lightening ends included. Grain and tips are properties of texels and are not
+/// drawn. `paper` and `ink` are colours that SVG understands.
 pub fn strokes_svg(map: &Map, paper: &str, ink: &str) -> String {
     let (grid, strokes) = (&map.grid, &map.strokes);
     let size = grid.levels.first().map_or(0, |level| level.size);
@@ -26,19 +27,22 @@ pub fn strokes_svg(map: &Map, paper: &str, ink: &str) -> String {
 
     for (family, options) in strokes.families.iter().enumerate() {
         let opacity = options.stroke.opacity as f32;
-        let _ = writeln!(svg, "<g id=\"{}\" stroke-opacity=\"{}\">", escaped(&options.name), number(opacity));
+        let pen = Pen { taper: options.taper(), opacity, size, ink };
+        let id = escaped(&options.name);
+        let opacity = number(opacity);
+        let _ = writeln!(svg, "<g id=\"{id}\" stroke-opacity=\"{opacity}\" fill-opacity=\"{opacity}\">");
         let of_family = |stroke: &Stroke| usize::from(stroke.family) == family;
         for column in 0..columns {
             let appear = strokes.strokes.iter().zip(first_column).filter(|(stroke, first)| {
                 **first != StrokeList::NEVER && usize::from(**first) == column && of_family(stroke)
             });
-            let paths: String = appear.map(|(stroke, _)| copies(stroke, 1.0, opacity, size, ink)).collect();
+            let paths: String = appear.map(|(stroke, _)| pen.copies(stroke, 1.0)).collect();
             group(&mut svg, &format!("{}-tone{column}", escaped(&options.name)), &paths);
         }
         let parts = closing.iter().filter_map(|part| Some((strokes.strokes.get(part.stroke as usize)?, part.fraction)));
         let paths: String = parts
             .filter(|(stroke, _)| of_family(stroke))
-            .map(|(stroke, fraction)| copies(stroke, fraction, opacity, size, ink))
+            .map(|(stroke, fraction)| pen.copies(stroke, fraction))
             .collect();
         group(&mut svg, &format!("{}-closing", escaped(&options.name)), &paths);
         svg += "</g>\n";
@@ -52,33 +56,67 @@ fn group(svg: &mut String, id: &str, paths: &str) {
     }
 }
 
-/// The first `fraction` of a stroke, and its copies that reach into the tile across its edges.
-fn copies(stroke: &Stroke, fraction: f32, opacity: f32, size: u32, ink: &str) -> String {
-    let points = bezier_points(stroke, fraction).map(|[x, y]| [x * size as f32, y * size as f32]);
-    let half_width = stroke.width_px / 2.0;
-    // The control points' hull holds the curve.
-    let shifts = |axis: usize| {
-        let low = points.iter().map(|point| point[axis]).fold(f32::INFINITY, f32::min) - half_width;
-        let high = points.iter().map(|point| point[axis]).fold(f32::NEG_INFINITY, f32::max) + half_width;
-        let tiles = |offset: f32| (offset / size as f32).clamp(-64.0, 64.0);
-        let (first, last) = (tiles(-high).floor() as i32 + 1, tiles(size as f32 - low).ceil() as i32 - 1);
-        (first..=last).map(|tile| tile as f32 * size as f32)
-    };
-    let mut svg = String::new();
-    for (dx, dy) in shifts(0).flat_map(|dx| shifts(1).map(move |dy| (dx, dy))) {
-        let _ = if stroke.along_uv == 0.0 {
-            let (x, y) = (number(points[0][0] + dx), number(points[0][1] + dy));
-            let (radius, opacity) = (number(half_width), number(opacity * fraction));
-            writeln!(
-                svg,
-                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{ink}\" fill-opacity=\"{opacity}\" stroke=\"none\"/>"
-            )
-        } else {
-            let [a, b, c, d] = points.map(|[x, y]| format!("{} {}", number(x + dx), number(y + dy)));
-            writeln!(svg, "<path d=\"M{a}C{b} {c} {d}\" stroke-width=\"{}\"/>", number(stroke.width_px))
+/// What the strokes of a family share.
+struct Pen<'a> {
+    taper: Taper,
+    opacity: f32,
+    size: u32,
+    ink: &'a str,
+}
+
+impl Pen<'_> {
+    /// The first `fraction` of a stroke, and its copies that reach into the tile across its edges.
+    fn copies(&self, stroke: &Stroke, fraction: f32) -> String {
+        let side = self.size as f32;
+        let points = bezier_points(stroke, fraction).map(|[x, y]| [x * side, y * side]);
+        let half_width = stroke.width_px / 2.0;
+        // The control points' hull holds the curve.
+        let shifts = |axis: usize| {
+            let low = points.iter().map(|point| point[axis]).fold(f32::INFINITY, f32::min) - half_width;
+            let high = points.iter().map(|point| point[axis]).fold(f32::NEG_INFINITY, f32::max) + half_width;
+            let tiles = |offset: f32| (offset / side).clamp(-64.0, 64.0);
+            let (first, last) = (tiles(-high).floor() as i32 + 1, tiles(side - low).ceil() as i32 - 1);
+            (first..=last).map(|tile| tile as f32 * side)
         };
+        let tapers = self.taper != Taper::NONE;
+        let outline = if tapers { self.outline(stroke, fraction) } else { Vec::new() };
+        let mut svg = String::new();
+        for (dx, dy) in shifts(0).flat_map(|dx| shifts(1).map(move |dy| (dx, dy))) {
+            let shifted = |[x, y]: [f32; 2]| format!("{} {}", number(x + dx), number(y + dy));
+            let ink = self.ink;
+            let _ = if stroke.along_uv == 0.0 {
+                let (x, y) = (number(points[0][0] + dx), number(points[0][1] + dy));
+                let (radius, opacity) = (number(half_width), number(self.opacity * fraction));
+                writeln!(
+                    svg,
+                    "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{ink}\" fill-opacity=\"{opacity}\" stroke=\"none\"/>"
+                )
+            } else if tapers {
+                let path: Vec<String> = outline.iter().map(|point| shifted(*point)).collect();
+                writeln!(svg, "<path d=\"M{}Z\" fill=\"{ink}\" stroke=\"none\"/>", path.join("L"))
+            } else {
+                let [a, b, c, d] = points.map(shifted);
+                writeln!(svg, "<path d=\"M{a}C{b} {c} {d}\" stroke-width=\"{}\"/>", number(stroke.width_px))
+            };
+        }
+        svg
     }
-    svg
+
+    /// The outline of the first `fraction` of a stroke in texels: along one side and back along the other.
+    fn outline(&self, stroke: &Stroke, fraction: f32) -> Vec<[f32; 2]> {
+        const PARTS: u8 = 16;
+        let side = self.size as f32;
+        let point = |part: u8, sign: f32| {
+            let t = fraction * f32::from(part) / f32::from(PARTS);
+            let slope = stroke.slope_at(t);
+            let half = sign * 0.5 * stroke.width_px * self.taper.pressure(t) / (1.0 + slope * slope).sqrt();
+            // Half the width to the side of the curve, whose direction is (1, slope).
+            let (along, across) =
+                ((stroke.start_uv + t * stroke.along_uv) * side - half * slope, stroke.across_at(t) * side + half);
+            if stroke.axis == Axis::X { [along, across] } else { [across, along] }
+        };
+        (0..=PARTS).map(|part| point(part, 1.0)).chain((0..=PARTS).rev().map(|part| point(part, -1.0))).collect()
+    }
 }
 
 /// Control points in uv, not wrapped, of the part `0 ..= fraction` of a stroke.

@@ -16,7 +16,7 @@ pub use footprint::Footprint;
 pub use grain::Grain;
 pub use tip::{TipError, TipMask};
 
-use crate::preset::StrokeOptions;
+use crate::map::Family;
 use crate::stroke::{Stroke, Taper};
 
 /// What draws the strokes of one family: the options they share, ready for the inner loops.
@@ -35,13 +35,14 @@ pub struct Nib {
 }
 
 impl Nib {
-    /// The nib of a family. `reversed` families run against their scan axis, so that their tapers change places.
+    /// The nib of a family.
     ///
     /// # Errors
     /// When the tip's path or picture cannot be read.
-    pub fn new(stroke: &StrokeOptions, reversed: bool) -> Result<Self, TipError> {
+    pub fn new(family: &Family) -> Result<Self, TipError> {
+        let stroke = &family.stroke;
         Ok(Self {
-            taper: Taper::new(stroke, reversed),
+            taper: family.taper(),
             taper_fade: stroke.taper_fade as f32,
             opacity: stroke.opacity as f32,
             tip: stroke.tip.as_ref().map(TipMask::new).transpose()?,

@@ -3,11 +3,16 @@
 use tiny_skia::{FillRule, Mask, Path, PathBuilder, Transform};
 
 use super::{Footprint, Grain, Nib, over};
+use crate::map::Family;
 use crate::preset::StrokeOptions;
 use crate::sequence::Draw;
 use crate::stroke::{Axis, Stroke};
 
 const SIZE: u32 = 128;
+
+fn nib(stroke: StrokeOptions) -> Nib {
+    Nib::new(&Family { name: "h".into(), angle_deg: 0.0, stroke }).expect("a valid tip or none")
+}
 
 /// The outline of a stroke in texels: its two edges, offset across the scan axis.
 fn outline(nib: &Nib, stroke: &Stroke) -> Option<Path> {
@@ -68,7 +73,7 @@ fn stroke_inside(draw: &mut Draw) -> Stroke {
 
 /// Worst difference of a texel and of a stroke's ink over many strokes with the given tapers.
 fn worst_differences(taper_in: f64, taper_out: f64) -> (f32, f32) {
-    let nib = Nib::new(&StrokeOptions { taper_in, taper_out, ..StrokeOptions::default() }, false).expect("no tip");
+    let nib = nib(StrokeOptions { taper_in, taper_out, ..StrokeOptions::default() });
     let mut draw = Draw::new(11, "reference");
     let (mut worst_texel, mut worst_ink) = (0.0_f32, 0.0_f32);
     for index in 0..150 {
@@ -102,7 +107,7 @@ fn coverage_of_a_tapered_stroke_agrees_with_tiny_skia() {
 
 #[test]
 fn dots_agree_with_tiny_skia() {
-    let nib = Nib::new(&StrokeOptions::default(), false).expect("no tip");
+    let nib = nib(StrokeOptions::default());
     let mut draw = Draw::new(5, "dots");
     for _ in 0..100 {
         let mut at = |low: f64, high: f64| (low + (high - low) * draw.unit()) as f32;
@@ -129,7 +134,7 @@ fn dots_agree_with_tiny_skia() {
 
 #[test]
 fn a_stroke_across_the_edge_is_the_same_stroke_rolled() {
-    let nib = Nib::new(&StrokeOptions { taper_in: 0.2, ..StrokeOptions::default() }, false).expect("no tip");
+    let nib = nib(StrokeOptions { taper_in: 0.2, ..StrokeOptions::default() });
     let mut draw = Draw::new(2, "roll");
     for index in 0..50 {
         draw.seek(index);
@@ -152,8 +157,8 @@ fn a_stroke_across_the_edge_is_the_same_stroke_rolled() {
 fn a_square_tip_stamped_densely_is_a_plain_line() {
     let options = |tip| StrokeOptions { width_px: 5.0, tip, ..StrokeOptions::default() };
     let square = crate::preset::TipOptions { path: Some("M0 0H4V4H0Z".into()), spacing: 0.05, ..Default::default() };
-    let plain = Nib::new(&options(None), false).expect("no tip");
-    let stamped = Nib::new(&options(Some(square)), false).expect("a valid tip");
+    let plain = nib(options(None));
+    let stamped = nib(options(Some(square)));
     let stroke = Stroke {
         family: 0,
         axis: Axis::X,

@@ -9,17 +9,17 @@ const S_CURVE_SCALE: f64 = 10.392_304_845_413_264;
 
 /// The direction of a family, as a slope against the nearer axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Direction {
+pub(crate) struct Direction {
     pub(super) axis: Axis,
     /// Change across per change along, `-1 ..= 1`.
     slope: f64,
     /// Whether strokes run against their axis.
-    pub(super) reversed: bool,
+    pub(crate) reversed: bool,
 }
 
 impl Direction {
     /// The direction of an angle in degrees; 0 runs along rows, 90 down columns.
-    pub(super) fn new(angle_deg: f64) -> Self {
+    pub(crate) fn new(angle_deg: f64) -> Self {
         // libm: the same last bit on every machine.
         let (sin, cos) = (libm::sin(angle_deg.to_radians()), libm::cos(angle_deg.to_radians()));
         if cos.abs() >= sin.abs() {

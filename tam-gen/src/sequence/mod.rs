@@ -7,13 +7,13 @@ mod direction;
 mod dots;
 mod random;
 
+pub(crate) use direction::Direction;
 pub use random::Draw;
 
 use crate::map::Family;
 use crate::preset::{PlacementMethod, Preset, StrokeOptions};
 use crate::stroke::{Stroke, Taper};
 use density::DensityField;
-use direction::Direction;
 use dots::DotField;
 
 /// Step of the low-discrepancy sequence of lengths: far from every simple fraction, and from the golden ratio's multiples
@@ -64,7 +64,7 @@ impl Sequence {
         Self {
             family,
             direction,
-            taper: Taper::new(options, direction.reversed),
+            taper: of.taper(),
             options: options.clone(),
             effort: preset.placement.effort,
             first_length,
@@ -77,11 +77,6 @@ impl Sequence {
     /// The strokes generated so far.
     pub fn strokes(&self) -> &[Stroke] {
         &self.strokes
-    }
-
-    /// Whether the family runs against its scan axis.
-    pub fn reversed(&self) -> bool {
-        self.direction.reversed
     }
 
     /// Generates strokes until there are `count`.

@@ -27,8 +27,9 @@ fn every_preset_comes_back_and_its_vector_strokes_lie_where_its_raster_has_ink()
             std::fs::copy(dir.path().join("lines.strokes.svg"), look.join(format!("{name}.svg"))).unwrap();
             pixmap.save_png(look.join(format!("{name}-strokes.png"))).unwrap();
         }
-        // Grain, tips and taper are not drawn as vectors; strokes laid anywhere else give 0.1 at most.
-        assert!(alike > 0.25, "{name}: {alike}");
+        // Grain is not drawn as vectors; strokes laid anywhere else give 0.1 at most.
+        let least = if map.preset.stroke.grain > 0.4 { 0.6 } else { 0.9 };
+        assert!(alike > least, "{name}: {alike}");
         let bc4 = written.iter().find(|file| file.path.ends_with("lines.bc4.ktx2")).unwrap();
         assert!(bc4.what.contains("nesting holds"), "{name}: {}", bc4.what);
     }
