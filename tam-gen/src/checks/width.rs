@@ -1,8 +1,11 @@
 //! Stroke width.
 
+use std::cell::LazyCell;
+
 use super::{CellFinding, Constraint, Finding, Limit, Subject};
 use crate::map::{Level, StrokeList};
 use crate::measure::{self, StrokeWidth};
+use crate::stroke::Axis;
 
 /// Largest change of the width from the finest level.
 const CHANGE: f64 = 0.1;
@@ -77,7 +80,8 @@ fn tells(samples: usize, to_quartile: f64) -> bool {
 /// Changes where strokes are known.
 fn changes_on_lines(subject: &Subject, strokes: &StrokeList) -> Vec<Change> {
     let light = subject.grid.columns().div_ceil(2);
-    let crowded_finest: Vec<Vec<bool>> = (0..light).map(|column| crowded(subject, strokes, 0, column)).collect();
+    let crowded_finest: Vec<LazyCell<Vec<bool>, _>> =
+        (0..light).map(|column| LazyCell::new(move || crowded(subject, strokes, 0, column))).collect();
     (1..subject.grid.hand_built)
         .filter_map(|level| {
             (0..light).find_map(|column| change_on_lines(subject, strokes, level, column, &crowded_finest[column]))
@@ -182,12 +186,15 @@ fn crowded(subject: &Subject, strokes: &StrokeList, level: usize, column: usize)
         let reach = ((stroke.width_px + 1.0).ceil() as usize).min(size as usize / 2);
         let side = size as usize;
         measure::visit_centre_line(stroke, size, 0.0, |texel, _| {
-            let (left, top) = (texel % side + side - reach, texel / side + side - reach);
-            for y in (top..=top + 2 * reach).map(|y| y % side * side) {
-                for x in (left..=left + 2 * reach).map(|x| x % side) {
-                    crowded[y + x] |= near[y + x] != 0 && near[y + x] != i + 1;
-                    near[y + x] = i + 1;
-                }
+            // Across the stroke is enough: its samples follow each other along it.
+            let (x, y) = (texel % side, texel / side);
+            for off in 0..=2 * reach {
+                let at = match stroke.axis {
+                    Axis::X => (y + side - reach + off) % side * side + x,
+                    Axis::Y => y * side + (x + side - reach + off) % side,
+                };
+                crowded[at] |= near[at] != 0 && near[at] != i + 1;
+                near[at] = i + 1;
             }
         });
     }

@@ -25,7 +25,6 @@ pub(super) fn disc(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut 
             let off = column as f32 + (sub as f32 + 0.5) / SUB_COLUMNS as f32 - along;
             (radius * radius - off * off).max(0.0).sqrt()
         });
-        out.begin_column();
         for row in first_row..=last_row {
             let below = across - row as f32;
             let area: f32 =

@@ -2,15 +2,13 @@
 
 /// The texels that one stroke inks at one level, with the ink it would leave there on empty paper.
 ///
-/// Texels come by scan columns, in order along the stroke. Buffers are kept between strokes.
+/// Texels come in order along the stroke. Buffers are kept between strokes.
 #[derive(Debug, Clone, Default)]
 pub struct Footprint {
     /// Index of each texel in its level (row · size + column).
     pub texel: Vec<u32>,
     /// Ink there, `0 ..= 255`.
     pub ink: Vec<u8>,
-    /// Where each scan column begins in the two lists above.
-    pub column_start: Vec<u32>,
 }
 
 impl Footprint {
@@ -18,7 +16,6 @@ impl Footprint {
     pub fn clear(&mut self) {
         self.texel.clear();
         self.ink.clear();
-        self.column_start.clear();
     }
 
     /// Number of texels.
@@ -34,11 +31,6 @@ impl Footprint {
     /// The texels and their ink.
     pub fn iter(&self) -> impl Iterator<Item = (usize, u8)> + '_ {
         self.texel.iter().zip(&self.ink).map(|(&texel, &ink)| (texel as usize, ink))
-    }
-
-    #[inline]
-    pub(super) fn begin_column(&mut self) {
-        self.column_start.push(self.texel.len() as u32);
     }
 
     /// Adds the first `lanes` texels of a column's next rows. All `N` are copied, which is cheaper than a copy of just as

@@ -18,33 +18,84 @@ pub(super) fn scan(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut 
         Axis::X => (0, size.ilog2()),
         Axis::Y => (size.ilog2(), 0),
     };
-    let begin = stroke.start_uv * side;
-    let length = stroke.along_uv * side;
-    let end = begin + length;
-    let t_per_px = 1.0 / length;
+    let (begin, end) = (stroke.start_uv * side, (stroke.start_uv + stroke.along_uv) * side);
+    let last_column = ceil(end);
 
-    for column in floor(begin)..ceil(end) {
-        let (from, to) = ((column as f32).max(begin), ((column + 1) as f32).min(end));
-        let filled = to - from;
-        let t = (0.5 * (from + to) - begin) * t_per_px;
-        let slope = stroke.slope_at(t);
-        let (narrowed, lightened) = nib.pressed(part, t);
-        let half = 0.5 * stroke.width_px * narrowed * (1.0 + slope * slope).sqrt();
-        let middle = stroke.across_at(t) * side;
-        let ink_of_area = 255.0 * nib.opacity * lightened * filled;
+    let mut first_column = floor(begin);
+    while first_column < last_column {
+        let bands = Bands::new(nib, stroke, part, side, (begin, end), first_column as f32);
+        for lane in 0..COLUMNS.min((last_column - first_column) as usize) {
+            let along_offset = (((first_column + lane as i32) & mask) as u32) << along_shift;
+            let band = bands.band(lane);
+            let last = ceil(band.high + band.reach) - 1;
+            let mut row = floor(band.low - band.reach);
+            while row <= last {
+                let texels =
+                    std::array::from_fn(|lane| along_offset + ((((row + lane as i32) & mask) as u32) << across_shift));
+                let ink = band.areas(row as f32).map(|area| to_ink(area * bands.ink_of_area[lane]));
+                out.extend(&texels, &ink, (last - row + 1).min(LANES as i32) as usize);
+                row += LANES as i32;
+            }
+        }
+        first_column += COLUMNS as i32;
+    }
+}
 
-        out.begin_column();
-        let along_offset = ((column & mask) as u32) << along_shift;
-        let band = Band::new(middle - half, middle + half, slope.abs());
-        let (first, last) = band.rows();
-        let mut row = first;
-        while row <= last {
-            let texels =
-                std::array::from_fn(|lane| along_offset + ((((row + lane as i32) & mask) as u32) << across_shift));
-            let ink = band.areas(row as f32).map(|area| to_ink(area * ink_of_area));
-            let lanes = (last - row + 1).min(LANES as i32) as usize;
-            out.extend(&texels, &ink, lanes);
-            row += LANES as i32;
+/// Scan columns prepared at once, for whole vector registers.
+const COLUMNS: usize = 8;
+
+/// Where the stroke's edges cross consecutive scan columns.
+struct Bands {
+    low: [f32; COLUMNS],
+    high: [f32; COLUMNS],
+    slope: [f32; COLUMNS],
+    per_slope: [f32; COLUMNS],
+    /// Ink of a texel that lies inside the stroke.
+    ink_of_area: [f32; COLUMNS],
+}
+
+impl Bands {
+    /// The columns from `first` on of the stroke that runs from `begin` to `end`, in texels. Those beyond it hold nothing of
+    /// use. Without branches, so that the compiler takes several columns at a time.
+    #[inline]
+    fn new(nib: &Nib, stroke: &Stroke, part: Part, side: f32, (begin, end): (f32, f32), first: f32) -> Self {
+        let mut bands = Self {
+            low: [0.0; COLUMNS],
+            high: [0.0; COLUMNS],
+            slope: [0.0; COLUMNS],
+            per_slope: [0.0; COLUMNS],
+            ink_of_area: [0.0; COLUMNS],
+        };
+        let t_per_px = 1.0 / (end - begin);
+        let per_along = 1.0 / stroke.along_uv;
+        let [c0, c1, c2, c3] = stroke.across_uv;
+        let ink = 255.0 * nib.opacity;
+        for lane in 0..COLUMNS {
+            let column = first + lane as f32;
+            let from = if column > begin { column } else { begin };
+            let to = if column + 1.0 < end { column + 1.0 } else { end };
+            let t = (0.5 * (from + to) - begin) * t_per_px;
+            let slope = (c1 + t * (2.0 * c2 + t * 3.0 * c3)) * per_along;
+            let (narrowed, lightened) = nib.pressed(part, t);
+            let half = 0.5 * stroke.width_px * narrowed * (1.0 + slope * slope).sqrt();
+            let middle = (c0 + t * (c1 + t * (c2 + t * c3))) * side;
+            let slope = if slope < 0.0 { -slope } else { slope };
+            bands.low[lane] = middle - half;
+            bands.high[lane] = middle + half;
+            bands.slope[lane] = slope;
+            bands.per_slope[lane] = 1.0 / slope;
+            bands.ink_of_area[lane] = ink * lightened * (to - from);
+        }
+        bands
+    }
+
+    #[inline]
+    fn band(&self, lane: usize) -> Band {
+        Band {
+            low: self.low[lane],
+            high: self.high[lane],
+            reach: 0.5 * self.slope[lane],
+            per_slope: self.per_slope[lane],
         }
     }
 }
@@ -63,20 +114,12 @@ fn to_ink(x: f32) -> u8 {
 struct Band {
     low: f32,
     high: f32,
-    slope: f32,
+    /// How far the edges rise or fall from the column's middle to its sides: half their slope.
+    reach: f32,
+    per_slope: f32,
 }
 
 impl Band {
-    fn new(low: f32, high: f32, slope: f32) -> Self {
-        Self { low, high, slope }
-    }
-
-    /// First and last row that the band can touch.
-    fn rows(&self) -> (i32, i32) {
-        let reach = 0.5 * self.slope;
-        (floor(self.low - reach), ceil(self.high + reach) - 1)
-    }
-
     /// Area of the band within the texels of consecutive rows.
     ///
     /// Below an edge that crosses the column's middle at height `x` over a texel's lower side lies the mean of
@@ -84,13 +127,13 @@ impl Band {
     #[inline]
     fn areas(&self, row: f32) -> [f32; LANES] {
         let (high, low) = (self.high - row, self.low - row);
-        if self.slope < LEVEL_SLOPE {
+        if self.reach < 0.5 * LEVEL_SLOPE {
             return std::array::from_fn(|lane| {
                 let lane = lane as f32;
                 clamp_unit(high - lane) - clamp_unit(low - lane)
             });
         }
-        let (reach, per_slope) = (0.5 * self.slope, 1.0 / self.slope);
+        let (reach, per_slope) = (self.reach, self.per_slope);
         std::array::from_fn(|lane| {
             let (high, low) = (high - lane as f32, low - lane as f32);
             let below_high = antiderivative(high + reach) - antiderivative(high - reach);

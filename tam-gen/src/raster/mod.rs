@@ -74,15 +74,17 @@ impl Nib {
     #[inline]
     fn pressed(&self, part: Part, t: f32) -> (f32, f32) {
         let mut pressure = self.taper.pressure(t);
-        if pressure == 1.0 && part.end >= 1.0 {
-            return (1.0, part.strength);
-        }
         if part.end < 1.0 {
-            let falling = ((part.end - t) / part.end.min(PART_FALL.max(self.taper.fall))).clamp(0.0, 1.0);
-            pressure = pressure.min(falling * (2.0 - falling));
+            let falling = (part.end - t) / part.end.min(PART_FALL.max(self.taper.fall));
+            let falling = if falling > 0.0 { falling } else { 0.0 };
+            let falling = if falling < 1.0 { falling } else { 1.0 };
+            let end_pressure = falling * (2.0 - falling);
+            pressure = if end_pressure < pressure { end_pressure } else { pressure };
         }
         let width = pressure + (1.0 - pressure) * self.taper_fade;
-        if width > 0.0 { (width, pressure / width * part.strength) } else { (0.0, 0.0) }
+        // No pressure leaves no width only where it does not fade, and then no ink either.
+        let lightened = pressure / if width > 0.0 { width } else { 1.0 };
+        (width, lightened * part.strength)
     }
 }
 

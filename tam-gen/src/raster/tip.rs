@@ -262,7 +262,6 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
     }
 
     for column in first_column..first_column + columns {
-        out.begin_column();
         let base = middle_row(column) - half_rows;
         let slot = ((column - first_column) * rows) as usize;
         for (row, coverage) in band[slot..slot + rows as usize].iter().enumerate() {
