@@ -1,6 +1,7 @@
 //! What holds for every preset and seed: exact tones, nesting, and the same bytes on any number of threads.
 
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use tam_gen::checks::{Constraint, Verdict, check_map};
 use tam_gen::preset::{FamilyOptions, PlacementMethod, StrokeOptions, TipOptions, Tones};
 use tam_gen::{DeficitCause, Generator, Job, Map, Preset, generate};
@@ -91,7 +92,7 @@ fn holds_by_construction(map: &Map) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, rng_seed: RngSeed::Fixed(2001), ..ProptestConfig::default() })]
 
     #[test]
     fn any_preset_and_seed_makes_a_nested_map_of_exact_tones(preset in presets()) {
@@ -109,7 +110,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, rng_seed: RngSeed::Fixed(2001), ..ProptestConfig::default() })]
 
     #[test]
     fn prauns_placement_nests_and_overshoots_by_less_than_a_stroke(mut preset in presets()) {

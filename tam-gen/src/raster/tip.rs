@@ -242,6 +242,8 @@ pub(super) fn stamp(nib: &Nib, tip: &TipMask, stroke: &Stroke, part: Part, size:
         let shorten = 1.0 / (1.0 + slope * slope).sqrt();
         let (ahead, aside) = (shorten, slope * shorten);
         let (along, across) = (begin + t * length, stroke.across_at(t) * side);
+        // A stamp thinner than a pixel would fall between the pixels' middles: it is drawn a pixel wide and lighter.
+        let (height, lightened) = (height.max(1.0), lightened * height.min(1.0));
         let tip_length = tip.length_px(height);
         let (per_along, per_across) = (2.0 / tip_length, 2.0 / height);
         let reach = 0.5 * (height * height + tip_length * tip_length).sqrt() + 1.0;

@@ -19,6 +19,8 @@ use closing::Closing;
 
 /// Strokes between looks at the cancel flag, and over which progress towards a tone is judged.
 const WINDOW: u32 = 256;
+/// Strokes in a row that gain nothing, after which more are not tried.
+const IDLE_STROKES: u32 = 64;
 /// Less ink gained than this part of the ink laid down, over a window, and the image is saturated.
 const SATURATED: f64 = 1.0 / 5000.0;
 
@@ -267,17 +269,21 @@ pub(crate) struct Window {
     strokes: u32,
     laid: u64,
     gained: u64,
+    idle: u32,
     saturated: bool,
 }
 
 impl Window {
     pub(crate) fn note(&mut self, footprint: &Footprint, gained: u64) {
         self.strokes += 1;
+        self.idle = if gained == 0 { self.idle + 1 } else { 0 };
         self.laid += footprint.ink.iter().map(|ink| u64::from(*ink)).sum::<u64>() * u64::from(ToneMeasure::SOLID / 255);
         self.gained += gained;
         if self.strokes == WINDOW {
-            *self = Self { saturated: (self.gained as f64) < SATURATED * self.laid as f64, ..Self::default() };
+            let saturated = self.gained as f64 <= SATURATED * self.laid as f64;
+            *self = Self { saturated, idle: self.idle, ..Self::default() };
         }
+        self.saturated |= self.idle >= IDLE_STROKES;
     }
 
     pub(crate) fn saturated(&self) -> bool {
