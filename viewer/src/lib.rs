@@ -1,1 +1,7 @@
-//! Headless rendering of tonal art maps; its passes come with the renderer.
+//! Renders meshes with tonal art maps on the GPU, without a window.
+//!
+//! ```text
+//! mesh ─► surface ─► gpu ─► passes ─► frame ─► image
+//! ```
+
+pub mod mesh;
