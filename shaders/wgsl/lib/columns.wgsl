@@ -1,0 +1,40 @@
+// From a wanted darkness to the two columns that bracket it. Praun and others, "Real-Time Hatching", 2001, section 5;
+// Webb and others, "Fine tone control in hardware hatching", 2002, for many columns.
+//!include lib/form.wgsl
+//!include lib/material.wgsl
+
+// Place of a darkness among the columns: 0 is white, column_count the darkest column, piecewise linear in the columns'
+// own tones. The literal form takes the columns to be evenly spaced up to black, as the student implementation does.
+fn column_coordinate(d: f32) -> f32 {
+    let n = material.column_count;
+    if FORM == FORM_LITERAL {
+        return clamp(d, 0.0, 1.0) * f32(n);
+    }
+    var low = 0u;
+    var high = n;
+    while high - low > 1u {
+        let middle = (low + high) / 2u;
+        if column_tone(middle) <= d {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let a = column_tone(low);
+    let b = column_tone(high);
+    return f32(low) + clamp((d - a) / max(b - a, 1e-6), 0.0, 1.0);
+}
+
+// Level of detail for a footprint in tiles per pixel. Below the finest level strokes grow, as in any texture.
+fn map_level(tiles_per_px: f32) -> f32 {
+    let level = log2(max(tiles_per_px * material.size_px, 1e-6)) + material.level_bias;
+    return clamp(level, 0.0, material.level_count - 1.0);
+}
+
+// Ink of an array whose layer k holds column k and column k + 1 in its two channels (column 0 is white): one sample
+// gives both columns.
+fn column_ink(uv: vec2f, level: f32, x: f32) -> f32 {
+    let layer = min(floor(x), f32(material.column_count) - 1.0);
+    let pair = textureSampleLevel(map, map_sampler, uv, i32(layer), level).rg;
+    return mix(pair.x, pair.y, x - layer);
+}

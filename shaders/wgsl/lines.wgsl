@@ -1,0 +1,127 @@
+// Contour, border and crease lines: one quad per edge of the mesh, as wide as asked on the screen, with round ends.
+// Praun and others, "Real-Time Hatching", 2001, section 2: silhouettes complete hatched drawings. An edge is a contour
+// where one face is seen from the front and the other from behind, so contours lie exactly where the drawn mesh ends.
+//!include lib/scene.wgsl
+//!include lib/mesh.wgsl
+
+struct LineStyle {
+    // Linear light; alpha is opacity.
+    colour: vec4f,
+    width_px: f32,
+    // Edges whose face normals have a smaller dot product are creases.
+    crease_cosine: f32,
+    contours: u32,
+    borders: u32,
+    creases: u32,
+    _pad_a: u32,
+    _pad_b: u32,
+    _pad_c: u32,
+}
+
+struct Edge {
+    // Vertices of its two ends.
+    a: u32,
+    b: u32,
+    // Faces on its two sides; the second may be NO_FACE.
+    left: u32,
+    right: u32,
+}
+
+@group(2) @binding(0) var<uniform> style: LineStyle;
+@group(2) @binding(1) var<storage, read> edges: array<Edge>;
+
+struct LineOut {
+    @builtin(position) clip: vec4f,
+    // Screen place and the two ends, in pixels; constant over the quad where flat.
+    @location(0) @interpolate(linear) place_px: vec2f,
+    @location(1) @interpolate(flat, either) from_px: vec2f,
+    @location(2) @interpolate(flat, either) to_px: vec2f,
+}
+
+// Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
+const PULL_WIDTHS: f32 = 1.5;
+
+fn faces_camera(face: u32, p_world: vec3f) -> bool {
+    return dot(face_normals[face].xyz, scene.camera_world - p_world) > 0.0;
+}
+
+fn is_drawn(edge: Edge, p_world: vec3f) -> bool {
+    // A face without area has no normal to judge by.
+    if face_normals[edge.left].w == 0.0 {
+        return false;
+    }
+    if edge.right == NO_FACE {
+        return style.borders != 0u;
+    }
+    if face_normals[edge.right].w == 0.0 {
+        return false;
+    }
+    if style.contours != 0u && faces_camera(edge.left, p_world) != faces_camera(edge.right, p_world) {
+        return true;
+    }
+    return style.creases != 0u
+        && dot(face_normals[edge.left].xyz, face_normals[edge.right].xyz) < style.crease_cosine;
+}
+
+fn end_world(vertex: u32) -> vec3f {
+    return (scene.world_from_mesh * vec4f(vertices[vertex].position, 1.0)).xyz;
+}
+
+// Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point itself.
+fn pulled_clip(p_world: vec3f) -> vec4f {
+    let clip = scene.clip_from_world * vec4f(p_world, 1.0);
+    let depth = dot(p_world - scene.camera_world, scene.camera_forward);
+    let pull = PULL_WIDTHS * style.width_px * scene.pixel_world_at_1 * depth;
+    let towards = normalize(scene.camera_world - p_world);
+    let nearer = scene.clip_from_world * vec4f(p_world + pull * towards, 1.0);
+    return vec4f(clip.xy, nearer.z / max(nearer.w, 1e-6) * clip.w, clip.w);
+}
+
+fn px_from_clip(clip: vec4f) -> vec2f {
+    return (0.5 + 0.5 * clip.xy / clip.w * vec2f(1.0, -1.0)) * scene.viewport_px;
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) index: u32) -> LineOut {
+    let edge = edges[index];
+    var out: LineOut;
+    // Outside the clip volume: nothing is drawn.
+    out.clip = vec4f(2.0, 2.0, 2.0, 1.0);
+    let a_world = end_world(edge.a);
+    let b_world = end_world(edge.b);
+    let a = pulled_clip(a_world);
+    let b = pulled_clip(b_world);
+    if a.w <= 1e-4 || b.w <= 1e-4 || !is_drawn(edge, 0.5 * (a_world + b_world)) {
+        return out;
+    }
+    out.from_px = px_from_clip(a);
+    out.to_px = px_from_clip(b);
+    let step_px = out.to_px - out.from_px;
+    let length_px = length(step_px);
+    let along = select(vec2f(1.0, 0.0), step_px / length_px, length_px > 1e-6);
+    let across = vec2f(-along.y, along.x);
+    // Half a width and a pixel for the soft edge, on all sides.
+    let reach = 0.5 * style.width_px + 1.0;
+    let at_b = corner >= 2u;
+    let side = select(-1.0, 1.0, corner % 2u == 1u);
+    let place = select(out.from_px - along * reach, out.to_px + along * reach, at_b) + across * side * reach;
+    let end = select(a, b, at_b);
+    let ndc = (place / scene.viewport_px * 2.0 - 1.0) * vec2f(1.0, -1.0);
+    out.clip = vec4f(ndc * end.w, end.z, end.w);
+    out.place_px = place;
+    return out;
+}
+
+// Share of a pixel covered by a line with round ends; thinner than a pixel it fades instead of breaking up.
+fn capsule_coverage(place: vec2f, from_px: vec2f, to_px: vec2f, width_px: f32) -> f32 {
+    let v = to_px - from_px;
+    let t = clamp(dot(place - from_px, v) / max(dot(v, v), 1e-12), 0.0, 1.0);
+    let distance_px = length(place - from_px - t * v);
+    return clamp(0.5 * width_px + 0.5 - distance_px, 0.0, min(width_px, 1.0));
+}
+
+@fragment
+fn fragment(in: LineOut) -> @location(0) vec4f {
+    let coverage = capsule_coverage(in.place_px, in.from_px, in.to_px, style.width_px);
+    return vec4f(style.colour.rgb, style.colour.a * coverage);
+}

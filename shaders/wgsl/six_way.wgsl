@@ -1,0 +1,77 @@
+// Six-way blend. Praun and others, "Real-Time Hatching", 2001, section 5, and a student implementation of it: the tone
+// is computed at the vertices, where the two columns that bracket it get weights; the weights of all six columns are
+// interpolated, the six images, packed in the channels of two, are summed with them, and what is left is white paper.
+//!include lib/surface.wgsl
+//!include lib/light.wgsl
+//!include lib/columns.wgsl
+//!include lib/mapping.wgsl
+
+struct Weights {
+    light: vec3f,
+    dark: vec3f,
+}
+
+struct SixWayOut {
+    @builtin(position) clip: vec4f,
+    @location(0) p_world: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+//!if flat_face
+    @location(3) @interpolate(flat, first) face: u32,
+//!end
+    @location(4) light: vec3f,
+    @location(5) dark: vec3f,
+}
+
+struct SixWayIn {
+    @location(4) light: vec3f,
+    @location(5) dark: vec3f,
+}
+
+// Weights of columns 1 to 6 for a place among them; white has what is missing to 1.
+fn column_weights(x: f32) -> Weights {
+    return Weights(
+        max(1.0 - abs(vec3f(1.0, 2.0, 3.0) - x), vec3f(0.0)),
+        max(1.0 - abs(vec3f(4.0, 5.0, 6.0) - x), vec3f(0.0)),
+    );
+}
+
+fn six_ink(uv: vec2f, level: f32, weights: Weights) -> f32 {
+    let light = textureSampleLevel(map, map_sampler, uv, 0, level).rgb;
+    let dark = textureSampleLevel(map, map_sampler, uv, 1, level).rgb;
+    return dot(light, weights.light) + dot(dark, weights.dark);
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
+    let surface = surface_vertex(index);
+    let n = normalize(surface.normal);
+    let v = normalize(scene.camera_world - surface.p_world);
+    let weights = column_weights(column_coordinate(darkness(reflectance(), surface.p_world, n, v)));
+    var out: SixWayOut;
+    out.clip = surface.clip;
+    out.p_world = surface.p_world;
+    out.normal = surface.normal;
+    out.uv = surface.uv;
+//!if flat_face
+    out.face = surface.face;
+//!end
+    out.light = weights.light;
+    out.dark = weights.dark;
+    return out;
+}
+
+@fragment
+fn fragment(in: FragmentIn, six: SixWayIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let mapped = map_surface(surface_point(in, front));
+    let level = map_level(mapped.tiles_per_px);
+    let weights = Weights(six.light, six.dark);
+    var ink = mapped.a.weight * six_ink(mapped.a.uv, level, weights);
+    if mapped.b.weight > 0.0 {
+        ink += mapped.b.weight * six_ink(mapped.b.uv, level, weights);
+    }
+    if mapped.c.weight > 0.0 {
+        ink += mapped.c.weight * six_ink(mapped.c.uv, level, weights);
+    }
+    return drawn(ink);
+}

@@ -1,0 +1,38 @@
+// One sample and a threshold. Freudenberg, "Real-Time Stroke Textures", SIGGRAPH 2001 sketch: strokes of all tones
+// composited into one channel; or, with PATTERN_LINES, lines whose width follows the tone.
+//!include lib/surface.wgsl
+//!include lib/light.wgsl
+//!include lib/columns.wgsl
+//!include lib/threshold.wgsl
+//!include lib/halftone.wgsl
+//!include lib/blend.wgsl
+
+const PATTERN_STROKES: u32 = 0u;
+const PATTERN_LINES: u32 = 1u;
+override PATTERN: u32 = 0u;
+
+fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
+    if PATTERN == PATTERN_LINES {
+        return halftone_ink(uv.y, tiles_per_px, material.line_period_px, d);
+    }
+    let level = map_level(tiles_per_px);
+    let sampled = textureSampleLevel(map, map_sampler, uv, 0, level).r;
+    if FORM == FORM_LITERAL {
+        return threshold_one_sided(d, sampled, material.slope);
+    }
+    let theta = equalised(sampled, level);
+    let per_px = length(vec2f(dpdx(theta), dpdy(theta)));
+    return threshold_centred(d, theta, per_px);
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
+    return surface_vertex(index);
+}
+
+@fragment
+fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    let d = darkness(reflectance(), point.p_world, point.normal, point.view);
+    return drawn(blended_ink(map_surface(point), d));
+}
