@@ -9,7 +9,7 @@ use tam_shaders::types::{self, NO_FACE};
 use wgpu::util::DeviceExt;
 
 use super::{Gpu, GpuError, Layouts};
-use crate::mesh::Mesh;
+use crate::mesh::{self, Mesh};
 
 /// A mesh's buffers. Topology is fixed; positions may change by [`GpuMesh::update`].
 pub struct GpuMesh {
@@ -254,25 +254,11 @@ fn radius(positions: &[Vec3]) -> f64 {
 }
 
 fn edges(mesh: &Mesh) -> Vec<types::Edge> {
-    let mut edges = Vec::with_capacity(mesh.triangles.len() * 3 / 2);
-    for (face, (corners, neighbours)) in mesh.triangles.iter().zip(&mesh.neighbours).enumerate() {
-        for k in 0..3 {
-            // Each edge once: from the face with the lower index.
-            if neighbours[k] > face as u32 {
-                edges.push(types::Edge {
-                    a: corners[k],
-                    b: corners[(k + 1) % 3],
-                    left: face as u32,
-                    right: neighbours[k],
-                });
-            }
-        }
-    }
-    if edges.is_empty() {
-        // A buffer cannot be empty; this edge has no length and is never drawn.
-        edges.push(types::Edge { right: 0, ..types::Edge::default() });
-    }
-    edges
+    let edge = |edge: mesh::Edge| {
+        let ([a, b], [left, right]) = (edge.vertices, edge.triangles);
+        types::Edge { a, b, left, right }
+    };
+    mesh.edges().into_iter().map(edge).collect()
 }
 
 /// An index list in which the first corner of triangle `f` has index `f`, so that a flat value carries the face, and

@@ -94,20 +94,3 @@ pub struct Placement {
     /// Mesh units per file unit.
     pub scale: f64,
 }
-impl Mesh {
-    /// Repeats of a texture per mesh unit: the mean over the surface of the root of uv area over area; `None` without uv.
-    pub fn uv_density(&self) -> Option<f64> {
-        if self.uvs.is_empty() {
-            return None;
-        }
-        let (mut sum, mut area) = (0.0, 0.0);
-        for triangle in &self.triangles {
-            let [a, b, c] = triangle.map(|vertex| self.positions[vertex as usize].as_dvec3());
-            let [p, q, r] = triangle.map(|vertex| self.uvs[vertex as usize].as_dvec2());
-            let mesh_area = (b - a).cross(c - a).length();
-            sum += ((q - p).perp_dot(r - p).abs() * mesh_area).sqrt();
-            area += mesh_area;
-        }
-        (area > 0.0).then(|| sum / area)
-    }
-}

@@ -66,8 +66,8 @@ pub(super) fn groups(
     let mut table = Table::new(surface.points.len() * 2);
     let mut keys: Vec<[u32; 4]> = Vec::new();
     for (face, corners) in faces.corners.iter().enumerate() {
-        for k in 0..3 {
-            let normal = usable_normal(raw.normals[corners[k] as usize], face, shape, flipped[face]);
+        for (k, vertex) in corners.iter().enumerate() {
+            let normal = usable_normal(raw.normals[*vertex as usize], face, shape, flipped[face]);
             let key = match normal {
                 Some(normal) => {
                     let [x, y, z] = (normal * NORMAL_STEPS).round().to_array().map(|step| step as i32 as u32);
@@ -105,9 +105,7 @@ fn smooth_groups(surface: &Surface, neighbours: &[[u32; 3]], shape: &Shape) -> (
     let least_cosine = CREASE_DEGREES.to_radians().cos();
     let smooth = |face: u32, other: u32| {
         let (face, other) = (face as usize, other as usize);
-        shape.slivers[face]
-            || shape.slivers[other]
-            || shape.normals[face].dot(shape.normals[other]) >= least_cosine
+        shape.slivers[face] || shape.slivers[other] || shape.normals[face].dot(shape.normals[other]) >= least_cosine
     };
     let mut corners = vec![[NONE; 3]; surface.triangles.len()];
     let mut normals = Vec::new();
