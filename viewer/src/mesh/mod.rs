@@ -6,7 +6,9 @@
 //! ```
 
 mod animation;
+pub mod deform;
 mod raw;
+pub mod sample;
 
 use std::ops::Range;
 
