@@ -13,7 +13,11 @@ override PATTERN: u32 = 0u;
 
 fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
     if PATTERN == PATTERN_LINES {
-        return halftone_ink(uv.y, tiles_per_px, material.line_period_px, d);
+        if FORM == FORM_LITERAL {
+            let lines = floor(material.size_px / material.line_period_px);
+            return threshold_one_sided(d, halftone_threshold(uv.y, lines), material.slope);
+        }
+        return halftone_ink(uv.y, length(vec2f(dpdx(uv.y), dpdy(uv.y))), material.line_period_px, d);
     }
     let level = map_level(tiles_per_px);
     let sampled = textureSampleLevel(map, map_sampler, uv, 0, level).r;

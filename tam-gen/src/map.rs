@@ -51,6 +51,11 @@ impl Grid {
     pub fn columns(&self) -> usize {
         self.tones.len()
     }
+
+    /// Appends box-filtered levels down to one texel, which keep the tone: textures want a full chain.
+    pub fn append_tail(&mut self) {
+        crate::tail::append(self);
+    }
 }
 
 /// Freudenberg's stroke map: one channel, the levels of the grid, each texel the darkness at which it becomes inked.

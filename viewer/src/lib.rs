@@ -5,3 +5,18 @@
 //! ```
 
 pub mod mesh;
+
+pub mod maps;
+pub mod params;
+pub mod scene;
+
+mod frame;
+pub mod gpu;
+mod passes;
+mod renderer;
+mod timer;
+
+pub use params::{Blend, FaceFrameForm, Form, Mapping, Method, RenderParams, Silhouettes};
+pub use renderer::{MAX_PARTS, RenderError, Renderer};
+pub use scene::{Camera, Light, LightKind, Lights, Material, Scene};
+pub use timer::FrameTimer;

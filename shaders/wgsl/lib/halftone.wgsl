@@ -21,12 +21,18 @@ fn line_ink(phase: f32, phase_per_px: f32, d: f32, f: f32) -> f32 {
     return clamp(line_coverage(x, widths.x, k) + line_coverage(1.0 - x, widths.y, k), 0.0, 1.0);
 }
 
-// Lines across t, spaced between line_period_px and twice that on the screen.
-fn halftone_ink(t: f32, tiles_per_px: f32, line_period_px: f32, d: f32) -> f32 {
+// Lines across t, spaced between line_period_px and twice that on the screen; t_per_px is the slope of t there.
+fn halftone_ink(t: f32, t_per_px: f32, line_period_px: f32, d: f32) -> f32 {
     // Lines per tile at which the finest lines stand line_period_px apart; half as many old ones.
-    let wanted = 1.0 / max(tiles_per_px * line_period_px, 1e-6);
+    let wanted = 1.0 / max(t_per_px * line_period_px, 1e-6);
     let octave = floor(log2(wanted));
     let f = clamp(wanted / exp2(octave) - 1.0, 0.0, 1.0);
     let lines = exp2(octave);
-    return line_ink(t * lines, tiles_per_px * lines, d, f);
+    return line_ink(t * lines, t_per_px * lines, d, f);
+}
+
+// As the sketch has it: a halftone pattern that is fixed to the surface, to be thresholded with a fixed slope.
+fn halftone_threshold(t: f32, lines: f32) -> f32 {
+    let phase = t * lines;
+    return 2.0 * abs(phase - round(phase));
 }

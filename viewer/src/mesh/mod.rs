@@ -6,17 +6,41 @@
 //! ```
 
 mod animation;
+mod error;
+#[cfg(test)]
+mod invariants;
+mod load;
+mod normals;
+mod prepare;
+mod query;
 mod raw;
+mod report;
+mod table;
 
 use std::ops::Range;
 
 pub use animation::Animation;
+pub use error::MeshError;
+pub use load::{BYTES_MAX, Kind, Resolve, load, read_raw};
+pub use normals::{CREASE_DEGREES, SLIVER};
+pub use prepare::{TRIANGLES_MAX, prepare};
+pub use query::Edge;
 pub use raw::{RawMesh, RawPart};
+pub use report::MeshReport;
 
 use glam::{Vec2, Vec3};
 
 /// No neighbour: a boundary, or an edge that more than two triangles share.
 pub const NONE: u32 = u32::MAX;
+
+/// A mesh and what was done to it.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What was found and mended.
+    pub report: MeshReport,
+}
 
 /// A checked triangle mesh, as the renderer takes it.
 ///

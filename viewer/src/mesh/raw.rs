@@ -24,6 +24,8 @@ pub struct RawMesh {
     pub parts: Vec<RawPart>,
     /// Movement of the vertices, where the file has one.
     pub animation: Option<Animation>,
+    /// What the reader found and left out, in whole sentences.
+    pub notes: Vec<String>,
 }
 
 /// One object of a [`RawMesh`].

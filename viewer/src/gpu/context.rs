@@ -1,0 +1,272 @@
+//! The device that draws: any adapter that wgpu finds.
+
+use std::sync::Arc;
+use std::sync::Mutex;
+
+use tam_shaders::Capabilities;
+
+/// Which adapter to use, and how.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct GpuOptions {
+    /// Part of the adapter's name, in any case; `None` takes `WGPU_ADAPTER_NAME`, or else the fastest kind.
+    pub adapter: Option<String>,
+    /// Do without primitive indices even where the adapter has them.
+    pub flat_face: bool,
+}
+
+/// An adapter, for people to choose from.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct AdapterSummary {
+    /// As the driver calls it.
+    pub name: String,
+    /// `discrete-gpu`, `integrated-gpu`, `virtual-gpu`, `cpu` (a software adapter) or `other`.
+    pub kind: &'static str,
+    /// `vulkan`, `gl`, `metal`, `dx12`.
+    pub backend: String,
+    /// The driver and its version.
+    pub driver: String,
+}
+
+impl AdapterSummary {
+    fn of(info: &wgpu::AdapterInfo) -> Self {
+        let kind = match info.device_type {
+            wgpu::DeviceType::DiscreteGpu => "discrete-gpu",
+            wgpu::DeviceType::IntegratedGpu => "integrated-gpu",
+            wgpu::DeviceType::VirtualGpu => "virtual-gpu",
+            wgpu::DeviceType::Cpu => "cpu",
+            wgpu::DeviceType::Other => "other",
+        };
+        Self {
+            name: info.name.clone(),
+            kind,
+            backend: info.backend.to_string(),
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+        }
+    }
+
+    /// Whether it computes on the processor.
+    pub fn is_software(&self) -> bool {
+        self.kind == "cpu"
+    }
+}
+
+impl std::fmt::Display for AdapterSummary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ({}, {})", self.name, self.kind, self.backend)
+    }
+}
+
+/// Why there is no device, or what happened to it.
+#[derive(Debug, thiserror::Error)]
+pub enum GpuError {
+    /// No adapter at all.
+    #[error("no graphics adapter was found; on Debian and Ubuntu, mesa-vulkan-drivers brings one that needs no GPU")]
+    NoAdapter,
+    /// None of that name.
+    #[error("no adapter is called `{wanted}`; there are: {}", .found.join(", "))]
+    NoSuchAdapter {
+        /// The name asked for.
+        wanted: String,
+        /// The names there are.
+        found: Vec<String>,
+    },
+    /// The adapter gives no device.
+    #[error("{adapter} gives no device: {cause}")]
+    Device {
+        /// The adapter.
+        adapter: String,
+        /// What it says.
+        cause: String,
+    },
+    /// The adapter lacks something that drawing needs.
+    #[error("{adapter} cannot draw this: {cause}")]
+    Unfit {
+        /// The adapter.
+        adapter: String,
+        /// What is missing.
+        cause: String,
+    },
+    /// A picture or buffer is larger than the adapter takes.
+    #[error("{what} needs {wanted}, and {adapter} takes {limit}")]
+    TooLarge {
+        /// What does not fit.
+        what: String,
+        /// Its size.
+        wanted: u64,
+        /// The limit.
+        limit: u64,
+        /// The adapter.
+        adapter: String,
+    },
+    /// The device went away: driver reset, suspended, unplugged, out of memory.
+    #[error("the graphics device was lost: {0}")]
+    Lost(String),
+    /// The device reported an error.
+    #[error("the graphics device failed: {0}")]
+    Failed(String),
+}
+
+/// A device and its queue.
+pub struct Gpu {
+    /// The device.
+    pub device: wgpu::Device,
+    /// Its queue.
+    pub queue: wgpu::Queue,
+    /// Which adapter it is.
+    pub adapter: AdapterSummary,
+    /// What shaders may use.
+    pub capabilities: Capabilities,
+    /// Whether passes can be timed on the device.
+    pub has_timestamps: bool,
+    failure: Arc<Mutex<Option<Failure>>>,
+}
+
+enum Failure {
+    Lost(String),
+    Error(String),
+}
+
+impl Gpu {
+    /// Opens an adapter.
+    ///
+    /// # Errors
+    /// [`GpuError`] if there is none, none of that name, or it gives no device.
+    pub fn open(options: &GpuOptions) -> Result<Self, GpuError> {
+        let mut adapters = all_adapters();
+        if adapters.is_empty() {
+            return Err(GpuError::NoAdapter);
+        }
+        let wanted = options.adapter.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok());
+        if let Some(wanted) = wanted {
+            let found = adapters.iter().map(|adapter| adapter.get_info().name).collect();
+            adapters.retain(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted.to_lowercase()));
+            if adapters.is_empty() {
+                return Err(GpuError::NoSuchAdapter { wanted, found });
+            }
+        }
+        // The first of the best kind: sorting is stable.
+        adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
+        Self::from_adapter(&adapters[0], options)
+    }
+
+    /// Opens this adapter; a window's surface decides which.
+    ///
+    /// # Errors
+    /// [`GpuError::Device`] if it gives no device.
+    pub fn from_adapter(adapter: &wgpu::Adapter, options: &GpuOptions) -> Result<Self, GpuError> {
+        let summary = AdapterSummary::of(&adapter.get_info());
+        let useful = wgpu::Features::PRIMITIVE_INDEX | wgpu::Features::TIMESTAMP_QUERY;
+        let features = adapter.features() & useful;
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("tam-viewer"),
+            required_features: features,
+            required_limits: adapter.limits(),
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| GpuError::Device { adapter: summary.to_string(), cause: error.to_string() })?;
+        Ok(Self::from_device(device, queue, summary, options))
+    }
+
+    fn from_device(device: wgpu::Device, queue: wgpu::Queue, adapter: AdapterSummary, options: &GpuOptions) -> Self {
+        let failure = Arc::new(Mutex::new(None));
+        let lost = Arc::clone(&failure);
+        device.set_device_lost_callback(move |reason, message| {
+            // A device that the program itself drops is not lost.
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                note(&lost, Failure::Lost(message));
+            }
+        });
+        let failed = Arc::clone(&failure);
+        device.on_uncaptured_error(Arc::new(move |error| note(&failed, Failure::Error(error.to_string()))));
+        let features = device.features();
+        Self {
+            capabilities: Capabilities {
+                primitive_index: features.contains(wgpu::Features::PRIMITIVE_INDEX) && !options.flat_face,
+            },
+            has_timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            device,
+            queue,
+            adapter,
+            failure,
+        }
+    }
+
+    /// All adapters, the one that [`Gpu::open`] would take first.
+    pub fn adapters() -> Vec<AdapterSummary> {
+        let mut adapters = all_adapters();
+        adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
+        adapters.iter().map(|adapter| AdapterSummary::of(&adapter.get_info())).collect()
+    }
+
+    /// What went wrong on the device since it was opened.
+    ///
+    /// # Errors
+    /// [`GpuError::Lost`] or [`GpuError::Failed`], once anything did.
+    pub fn check(&self) -> Result<(), GpuError> {
+        let failure = self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        match &*failure {
+            None => Ok(()),
+            Some(Failure::Lost(cause)) => Err(GpuError::Lost(cause.clone())),
+            Some(Failure::Error(cause)) => Err(GpuError::Failed(cause.clone())),
+        }
+    }
+
+    /// Waits until all submitted work is done.
+    ///
+    /// # Errors
+    /// [`GpuError::Lost`] or [`GpuError::Failed`].
+    pub fn wait(&self) -> Result<(), GpuError> {
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Lost(error.to_string()))?;
+        self.check()
+    }
+
+    /// Whether a buffer of this many bytes can be bound.
+    pub(crate) fn fits(&self, what: &str, bytes: u64) -> Result<(), GpuError> {
+        let limits = self.device.limits();
+        let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        if bytes <= limit {
+            return Ok(());
+        }
+        Err(GpuError::TooLarge {
+            what: format!("{what} (bytes)"),
+            wanted: bytes,
+            limit,
+            adapter: self.adapter.to_string(),
+        })
+    }
+}
+
+/// The first failure is the cause; those after it follow from it.
+fn note(place: &Mutex<Option<Failure>>, failure: Failure) {
+    let mut place = place.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    if place.is_none() {
+        *place = Some(failure);
+    }
+}
+
+/// OpenGL only where nothing better is found: its drivers print to the terminal where there is no display.
+fn all_adapters() -> Vec<wgpu::Adapter> {
+    let adapters = |backends| {
+        let descriptor =
+            wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle() };
+        let instance = wgpu::Instance::new(descriptor.with_env());
+        pollster::block_on(instance.enumerate_adapters(backends))
+    };
+    if let Some(backends) = wgpu::Backends::from_env() {
+        return adapters(backends);
+    }
+    let found = adapters(wgpu::Backends::PRIMARY);
+    if found.is_empty() { adapters(wgpu::Backends::SECONDARY) } else { found }
+}
+
+fn rank(info: &wgpu::AdapterInfo) -> (u8, u8) {
+    let kind = match info.device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    };
+    (kind, u8::from(info.backend == wgpu::Backend::Gl))
+}

@@ -1,0 +1,71 @@
+//! Maps as methods take them: from a preset, or from files.
+
+use std::sync::OnceLock;
+
+use tam_gen::import::Imported;
+use tam_gen::preset::Tones;
+use tam_gen::{GenerateError, Grid, Job, Preset, StrokeMap};
+
+/// Columns of the array that `fine-tone` draws with (Webb and others 2002).
+pub const FINE_COLUMNS: u32 = 64;
+
+/// A hatching map with what the methods make of it.
+#[derive(Debug)]
+pub struct HatchMap {
+    /// The preset's name or the file's stem.
+    pub name: String,
+    /// The tonal art map, with a full chain of levels.
+    pub grid: Grid,
+    /// The stroke map, where there is one.
+    pub stroke_map: Option<StrokeMap>,
+    /// What it was made from, where that is known.
+    pub preset: Option<Preset>,
+    fine: OnceLock<Grid>,
+}
+
+impl HatchMap {
+    /// Generates the map of a preset.
+    ///
+    /// # Errors
+    /// [`GenerateError`]: an invalid preset, or cancelled.
+    pub fn from_preset(name: &str, preset: &Preset, job: &Job<'_>) -> Result<Self, GenerateError> {
+        let map = tam_gen::generate(preset, job)?;
+        Ok(Self::new(name, map.grid, Some(map.stroke_map), Some(preset.clone())))
+    }
+
+    /// A map that was read from files. Where they hold their preset, it serves to make finer tones.
+    pub fn from_import(name: &str, imported: Imported) -> Self {
+        let preset = imported.preset_toml.and_then(|toml| Preset::from_toml(&toml, name).ok());
+        Self::new(name, imported.grid, imported.stroke_map, preset)
+    }
+
+    fn new(name: &str, mut grid: Grid, stroke_map: Option<StrokeMap>, preset: Option<Preset>) -> Self {
+        grid.append_tail();
+        Self { name: name.to_owned(), grid, stroke_map, preset, fine: OnceLock::new() }
+    }
+
+    /// The array of many columns: made from the preset with the same sequences, or else the map's own columns.
+    ///
+    /// # Errors
+    /// [`GenerateError`], where the preset cannot be generated.
+    pub fn fine(&self) -> Result<&Grid, GenerateError> {
+        if let Some(fine) = self.fine.get() {
+            return Ok(fine);
+        }
+        let Some(preset) = self.preset.as_ref().filter(|_| self.grid.columns() < FINE_COLUMNS as usize) else {
+            return Ok(&self.grid);
+        };
+        let mut preset = preset.clone();
+        preset.map.tones = Tones::Count(FINE_COLUMNS);
+        let mut grid = tam_gen::generate(&preset, &Job::default())?.grid;
+        grid.append_tail();
+        Ok(self.fine.get_or_init(|| grid))
+    }
+
+    /// The columns that `six-way` blends: all, where there are six at most, else six of them, evenly chosen, the darkest
+    /// included.
+    pub fn six_columns(&self) -> Vec<usize> {
+        let columns = self.grid.columns();
+        if columns <= 6 { (0..columns).collect() } else { (1..=6).map(|k| k * columns / 6 - 1).collect() }
+    }
+}

@@ -1,0 +1,88 @@
+//! Dropping triangles that no renderer can use.
+
+use glam::{DVec3, Vec3};
+
+use crate::mesh::table::{Table, join};
+use crate::mesh::{MeshReport, RawMesh};
+
+use super::weld::Welded;
+
+/// Twice the area, relative to the square of the longest edge, up to which a triangle has no area. Corners on a line
+/// come out of rounded coordinates a little off it; what is below this is noise even in double precision.
+const NO_AREA: f64 = 1e-12;
+
+/// The triangles kept so far.
+pub(super) struct Faces {
+    /// Indices into the source's vertices.
+    pub(super) corners: Vec<[u32; 3]>,
+    /// Indices of the source's triangles, ascending.
+    pub(super) origins: Vec<u32>,
+}
+
+impl Faces {
+    /// Keeps those for which `keep` holds, in order.
+    fn retain(&mut self, mut keep: impl FnMut([u32; 3]) -> bool) {
+        let mut kept = 0;
+        for face in 0..self.corners.len() {
+            if keep(self.corners[face]) {
+                self.corners[kept] = self.corners[face];
+                self.origins[kept] = self.origins[face];
+                kept += 1;
+            }
+        }
+        self.corners.truncate(kept);
+        self.origins.truncate(kept);
+    }
+}
+
+/// Triangles with indices in range, finite coordinates and an area.
+pub(super) fn usable(raw: &RawMesh, report: &mut MeshReport) -> Faces {
+    let mut faces = Faces { corners: raw.triangles.clone(), origins: (0..raw.triangles.len() as u32).collect() };
+    faces.retain(|corners| {
+        let [Some(a), Some(b), Some(c)] = corners.map(|corner| raw.positions.get(corner as usize)) else {
+            report.dropped_out_of_range += 1;
+            return false;
+        };
+        if !(a.is_finite() && b.is_finite() && c.is_finite()) {
+            report.dropped_non_finite += 1;
+            return false;
+        }
+        // Before welding, since one stray needle would stretch the bounding box that the tolerance is relative to.
+        let area = has_area([*a, *b, *c]);
+        report.dropped_degenerate += usize::from(!area);
+        area
+    });
+    faces
+}
+
+/// Drops triangles that welding left without area, and those with the points of an earlier one.
+pub(super) fn drop_collapsed(raw: &RawMesh, welded: &Welded, faces: &mut Faces, report: &mut MeshReport) {
+    let mut table = Table::new(faces.corners.len());
+    let mut kept: Vec<[u32; 3]> = Vec::with_capacity(faces.corners.len());
+    faces.retain(|corners| {
+        let mut points = corners.map(|corner| welded.points[corner as usize]);
+        if !has_area(points.map(|point| raw.positions[welded.leaders[point as usize] as usize])) {
+            report.dropped_degenerate += 1;
+            return false;
+        }
+        points.sort_unstable();
+        let (_, new) = table.find_or_insert(join(&points), |other| kept[other as usize] == points);
+        if new {
+            kept.push(points);
+        }
+        report.dropped_doubled += usize::from(!new);
+        new
+    });
+}
+
+/// Twice the area and the square of the longest edge.
+pub(super) fn doubled_area(corners: [DVec3; 3]) -> (f64, f64) {
+    let [ab, bc, ca] = [corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]];
+    // Coordinates are those of f32 at most, so that fourth powers stay far inside the range of f64.
+    (ab.cross(ca).length(), ab.length_squared().max(bc.length_squared()).max(ca.length_squared()))
+}
+
+fn has_area(corners: [Vec3; 3]) -> bool {
+    let (doubled, longest_squared) = doubled_area(corners.map(Vec3::as_dvec3));
+    doubled > NO_AREA * longest_squared
+}

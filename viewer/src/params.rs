@@ -1,0 +1,178 @@
+//! How a scene is drawn: method, mapping, form and lines.
+
+/// A shading method. Each is a pass of its own; all share scene, mesh and map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// The wanted tone in continuous grey: the yardstick of cost and accuracy.
+    Phong,
+    /// Praun 2001: six columns, weighted at the vertices.
+    SixWay,
+    /// Suarez 2013: light-aligned frames per face, blended across edges.
+    FaceFrame,
+    /// Freudenberg 2001: one composited map and a threshold.
+    StrokeMap,
+    /// Freudenberg 2001: lines whose width follows the tone.
+    Halftone,
+    /// Webb 2002: many columns, smooth tone.
+    FineTone,
+}
+
+impl Method {
+    /// All methods, the yardstick first.
+    pub const ALL: [Self; 6] =
+        [Self::Phong, Self::SixWay, Self::FaceFrame, Self::StrokeMap, Self::Halftone, Self::FineTone];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Phong => "phong",
+            Self::SixWay => "six-way",
+            Self::FaceFrame => "face-frame",
+            Self::StrokeMap => "stroke-map",
+            Self::Halftone => "halftone",
+            Self::FineTone => "fine-tone",
+        }
+    }
+
+    /// The method of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
+    /// Whether its strokes lie by a [`Mapping`]; `phong` has none and `face-frame` brings its own.
+    pub fn takes_mapping(self) -> bool {
+        !matches!(self, Self::Phong | Self::FaceFrame)
+    }
+}
+
+/// How the tile reaches the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mapping {
+    /// The mesh's own parametrisation.
+    Uv,
+    /// The light-aligned frame of each face.
+    Frames,
+    /// Three planes, blended by the normal.
+    Triplanar,
+}
+
+impl Mapping {
+    /// All mappings.
+    pub const ALL: [Self; 3] = [Self::Uv, Self::Frames, Self::Triplanar];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Uv => "uv",
+            Self::Frames => "frames",
+            Self::Triplanar => "triplanar",
+        }
+    }
+
+    /// The mapping of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|mapping| mapping.name() == name)
+    }
+
+    /// The mesh's own uv where it has one, else three planes.
+    pub fn of(mesh: &crate::mesh::Mesh) -> Self {
+        if mesh.uvs.is_empty() { Self::Triplanar } else { Self::Uv }
+    }
+}
+
+/// Whether a method is drawn as its source prints it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Form {
+    /// With the remedies for its known failures.
+    #[default]
+    Hardened,
+    /// As printed, failures included.
+    Literal,
+}
+
+/// How patterns that overlap are joined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Blend {
+    /// Strokes thin out and end whole.
+    #[default]
+    Union,
+    /// Strokes fade, as in pencil.
+    Linear,
+}
+
+/// Where the frames of `face-frame` are made; kept to be measured against each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum FaceFrameForm {
+    /// By a compute pass when light or mesh change, and fetched by each fragment.
+    #[default]
+    Fetched,
+    /// By the vertex stage, three vertices a face, four frames each, as in the paper's geometry stage.
+    Vertex,
+    /// By a compute pass, and fetched by the vertex stage.
+    VertexFetched,
+}
+
+/// Contour, border and crease lines.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Silhouettes {
+    /// On the screen, 0.25..=64.
+    pub width_px: f64,
+    /// Where the surface turns away.
+    pub contours: bool,
+    /// Where the surface ends.
+    pub borders: bool,
+    /// Where faces meet at more than this many degrees, 0..=180; `None`: no creases.
+    pub crease_deg: Option<f64>,
+}
+
+impl Default for Silhouettes {
+    fn default() -> Self {
+        Self { width_px: 2.0, contours: true, borders: true, crease_deg: Some(40.0) }
+    }
+}
+
+/// How a frame is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RenderParams {
+    /// The shading method.
+    pub method: Method,
+    /// How strokes lie on the surface, for methods that take a mapping.
+    pub mapping: Mapping,
+    /// Hardened, or as printed.
+    pub form: Form,
+    /// How overlapping patterns are joined.
+    pub blend: Blend,
+    /// Where `face-frame` makes its frames.
+    pub face_frame: FaceFrameForm,
+    /// Repeats of the tile per world unit, > 0. Meshes are 2 units long.
+    pub tiles_per_unit: f64,
+    /// Added to the level of detail, -4..=4; negative is finer.
+    pub level_bias: f64,
+    /// Slope of the literal one-sided threshold, > 1 (Freudenberg's c).
+    pub slope: f64,
+    /// Least distance of halftone lines on the screen, in pixels, 2..=256.
+    pub line_period_px: f64,
+    /// Lines over the strokes.
+    pub silhouettes: Option<Silhouettes>,
+}
+
+impl Default for RenderParams {
+    fn default() -> Self {
+        Self {
+            method: Method::FineTone,
+            mapping: Mapping::Triplanar,
+            form: Form::Hardened,
+            blend: Blend::Union,
+            face_frame: FaceFrameForm::Fetched,
+            tiles_per_unit: 1.5,
+            level_bias: 0.0,
+            slope: 6.0,
+            line_period_px: 6.0,
+            silhouettes: Some(Silhouettes::default()),
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! The passes: what each draws with, and how it is recorded. One stem with the shaders' entry files.
+
+mod face_frame;
+mod faces;
+mod fine_tone;
+mod lines;
+mod phong;
+mod shading;
+mod six_way;
+mod stroke_map;
+
+pub(crate) use faces::Faces;
+pub(crate) use lines::Lines;
+pub(crate) use shading::{Shading, Variant, variant};

@@ -1,0 +1,193 @@
+//! What all shading passes share: pipelines by variant, and the draw of each part of the mesh.
+
+use std::collections::HashMap;
+
+use tam_shaders::{Pass, compose};
+
+use super::{face_frame, fine_tone, phong, six_way, stroke_map};
+use crate::gpu::{DEPTH_FORMAT, Gpu, GpuMesh, Layouts, MapKind, PixelFormat};
+use crate::params::{Blend, Form, Mapping, Method, RenderParams};
+
+/// One way to draw: a shader with its constants.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Variant {
+    pub pass: Pass,
+    /// Overrides of the shader.
+    pub constants: Vec<(&'static str, u32)>,
+    /// What it samples.
+    pub kind: MapKind,
+    /// Three vertices a face instead of shared ones.
+    pub unindexed: bool,
+    /// Whether fragments read the frames of the faces.
+    pub frames: bool,
+}
+
+impl Variant {
+    pub(crate) fn new(pass: Pass, kind: MapKind) -> Self {
+        Self { pass, constants: Vec::new(), kind, unindexed: false, frames: false }
+    }
+
+    pub(crate) fn with(mut self, name: &'static str, constant: u32) -> Self {
+        self.constants.push((name, constant));
+        self
+    }
+
+    /// The overrides that all mapped methods have.
+    pub(crate) fn mapped(mut self, params: &RenderParams) -> Self {
+        self.frames = params.mapping == Mapping::Frames;
+        self.with("FORM", form_constant(params.form)).with(
+            "MAPPING",
+            match params.mapping {
+                Mapping::Uv => 0,
+                Mapping::Frames => 1,
+                Mapping::Triplanar => 2,
+            },
+        )
+    }
+}
+
+pub(crate) fn form_constant(form: Form) -> u32 {
+    match form {
+        Form::Hardened => 0,
+        Form::Literal => 1,
+    }
+}
+
+/// The variant that draws with these parameters.
+pub(crate) fn variant(params: &RenderParams) -> Variant {
+    match params.method {
+        Method::Phong => phong::variant(),
+        Method::SixWay => six_way::variant(params),
+        Method::FaceFrame => face_frame::variant(params),
+        Method::StrokeMap => stroke_map::strokes(params),
+        Method::Halftone => stroke_map::lines(params),
+        Method::FineTone => fine_tone::variant(params),
+    }
+}
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+struct PipelineKey {
+    variant: Variant,
+    format: PixelFormat,
+    samples: u32,
+    culled: bool,
+}
+
+/// Pipelines, made when first needed.
+#[derive(Default)]
+pub(crate) struct Shading {
+    pipelines: HashMap<PipelineKey, wgpu::RenderPipeline>,
+    modules: HashMap<Pass, wgpu::ShaderModule>,
+}
+
+impl Shading {
+    /// The pipeline of a variant; `culled` leaves out back faces.
+    pub(crate) fn pipeline(
+        &mut self,
+        gpu: &Gpu,
+        layouts: &Layouts,
+        variant: &Variant,
+        format: PixelFormat,
+        samples: u32,
+        culled: bool,
+    ) -> &wgpu::RenderPipeline {
+        let key = PipelineKey { variant: variant.clone(), format, samples, culled };
+        let Self { pipelines, modules } = self;
+        pipelines.entry(key).or_insert_with(|| {
+            let module = modules.entry(variant.pass).or_insert_with(|| module(gpu, variant.pass));
+            shading_pipeline(gpu, layouts, module, variant, format, samples, culled)
+        })
+    }
+
+    /// Draws all parts of a mesh; `materials` gives the offset of each part's material and its map.
+    pub(crate) fn record<'a>(
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        scene: &wgpu::BindGroup,
+        mesh: &GpuMesh,
+        variant: &Variant,
+        materials: impl Iterator<Item = (u32, &'a wgpu::BindGroup)>,
+    ) {
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, scene, &[]);
+        pass.set_bind_group(1, &mesh.groups.drawn, &[]);
+        pass.set_index_buffer(mesh.index_buffer.slice(..), wgpu::IndexFormat::Uint32);
+        for (part, (offset, map)) in mesh.parts.iter().zip(materials) {
+            pass.set_bind_group(2, map, &[offset]);
+            if variant.unindexed {
+                // Vertices are counted from the first face of the part, which the material tells.
+                pass.draw(0..3 * (part.end - part.start), 0..1);
+            } else {
+                pass.draw_indexed(3 * part.start..3 * part.end, 0, 0..1);
+            }
+        }
+    }
+}
+
+pub(crate) fn module(gpu: &Gpu, pass: Pass) -> wgpu::ShaderModule {
+    let source = compose(pass, gpu.capabilities);
+    gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(pass.name()),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    })
+}
+
+fn shading_pipeline(
+    gpu: &Gpu,
+    layouts: &Layouts,
+    module: &wgpu::ShaderModule,
+    variant: &Variant,
+    format: PixelFormat,
+    samples: u32,
+    culled: bool,
+) -> wgpu::RenderPipeline {
+    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(variant.pass.name()),
+        bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.mesh), Some(&layouts.material)],
+        immediate_size: 0,
+    });
+    let constants: Vec<(&str, f64)> =
+        variant.constants.iter().map(|(name, value)| (*name, f64::from(*value))).collect();
+    let options = wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
+    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(variant.pass.name()),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("vertex"),
+            compilation_options: options.clone(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState {
+            cull_mode: culled.then_some(wgpu::Face::Back),
+            ..wgpu::PrimitiveState::default()
+        },
+        depth_stencil: Some(depth_state(true)),
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("fragment"),
+            compilation_options: options,
+            targets: &[Some(format.texture_format().into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+pub(crate) fn depth_state(write: bool) -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(write),
+        depth_compare: Some(wgpu::CompareFunction::LessEqual),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+pub(super) fn blend_constant(blend: Blend) -> u32 {
+    match blend {
+        Blend::Union => 0,
+        Blend::Linear => 1,
+    }
+}
