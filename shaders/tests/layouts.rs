@@ -230,6 +230,11 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("MAX_SLOPE", single(threshold::MAX_SLOPE)),
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
+        ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),
+        ("LINE_NONE", lines::LineKind::None as u32 as f64),
+        ("LINE_CENTRED", lines::LineKind::Centred as u32 as f64),
+        ("LINE_RIGHT", lines::LineKind::Right as u32 as f64),
+        ("LINE_LEFT", lines::LineKind::Left as u32 as f64),
     ];
     let mut seen = Vec::new();
     for pass in Pass::ALL {

@@ -37,25 +37,27 @@ pub fn fragment(b: &Bindings<'_>, input: &FragmentIn, front: bool) -> DVec4 {
     let plane = |k: usize| b.mesh.face_planes[2 * face + k].truncate().dot(p) + b.mesh.face_planes[2 * face + k].w;
     let (first, second) = (plane(0), plane(1));
     let opposite = [1.0 - first - second, first, second];
-    let mut sum = face_ink(b, &point, p, face, front, level);
-    let mut weight = 1.0;
+    let mut faces = vec![(face, 1.0)];
     for (k, opposite) in opposite.into_iter().enumerate() {
         let other = b.mesh.neighbours[3 * face + k];
-        if other == NO_FACE {
-            if form == Form::Literal {
-                // A triangle without area has no normal: 0 / 0.
-                let none = (own.truncate() * 0.0).normalize();
-                weight += contribution(form, own.truncate().dot(none), opposite);
+        let mut f = 0.0;
+        if other != NO_FACE {
+            let theirs = b.mesh.face_normals[other as usize];
+            f = contribution(form, own.truncate().dot(theirs.truncate()), opposite);
+            if form == Form::Hardened && own.w * theirs.w <= 0.0 {
+                f = 0.0;
             }
-            continue;
+        } else if form == Form::Literal {
+            // A triangle without area has no normal: 0 / 0.
+            f = contribution(form, own.truncate().dot((own.truncate() * 0.0).normalize()), opposite);
         }
-        let theirs = b.mesh.face_normals[other as usize];
-        let f = contribution(form, own.truncate().dot(theirs.truncate()), opposite);
-        let takes_part = f * own.w * theirs.w > 0.0;
-        if form == Form::Hardened && !takes_part {
-            continue;
+        if form == Form::Literal || f > 0.0 {
+            faces.push((if other == NO_FACE { face } else { other as usize }, f));
         }
-        sum += f * face_ink(b, &point, p, other as usize, front, level);
+    }
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for (face, f) in faces {
+        sum += f * face_ink(b, &point, p, face, front, level);
         weight += f;
     }
     drawn(b.scene, b.material, sum / weight)

@@ -47,31 +47,49 @@ pub struct LineOut {
 }
 
 /// Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
-pub const PULL_WIDTHS: f64 = 1.5;
+pub const PULL_WIDTHS: f64 = 1.0;
+/// How far contours stand beside their edge, in widths; a little less than half, so that no gap is left.
+pub const ASIDE_WIDTHS: f64 = 0.4;
 
 /// Whether a face is seen from its front.
 pub fn faces_camera(scene: &Scene, mesh: &Mesh<'_>, face: u32, p_world: DVec3) -> bool {
     mesh.face_normals[face as usize].truncate().dot(scene.camera_world - p_world) > 0.0
 }
 
-/// Whether the edge is a line of a kind that is wanted.
-pub fn is_drawn(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, p_world: DVec3) -> bool {
+/// Which line an edge is: `LINE_NONE` and so on in the shader.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum LineKind {
+    /// Not drawn.
+    None = 0,
+    /// In the middle of its edge.
+    Centred = 1,
+    /// A contour beside the edge, where the surface ends: to the right of a to b on the screen.
+    Right = 2,
+    /// The same to the left.
+    Left = 3,
+}
+
+/// The kind of line that the edge is, as far as it is wanted.
+pub fn line_kind(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, p_world: DVec3) -> LineKind {
+    let centred = |wanted: bool| if wanted { LineKind::Centred } else { LineKind::None };
     let left = mesh.face_normals[edge.left as usize];
     if left.w == 0.0 {
-        return false;
+        return LineKind::None;
     }
     if edge.right == NO_FACE {
-        return style.borders;
+        return centred(style.borders);
     }
     let right = mesh.face_normals[edge.right as usize];
     if right.w == 0.0 {
-        return false;
+        return LineKind::None;
     }
-    let is_contour = faces_camera(scene, mesh, edge.left, p_world) != faces_camera(scene, mesh, edge.right, p_world);
-    if style.contours && is_contour {
-        return true;
+    let front = faces_camera(scene, mesh, edge.left, p_world);
+    if style.contours && front != faces_camera(scene, mesh, edge.right, p_world) {
+        return if front { LineKind::Right } else { LineKind::Left };
     }
-    style.creases && left.truncate().dot(right.truncate()) < style.crease_cosine
+    let sharp = left.truncate().dot(right.truncate()) < style.crease_cosine;
+    centred(style.creases && sharp)
 }
 
 /// Place of a vertex in the world.
@@ -102,15 +120,23 @@ pub fn vertex(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, co
     let b_world = end_world(scene, mesh, edge.b);
     let a = pulled_clip(scene, style, a_world);
     let b = pulled_clip(scene, style, b_world);
-    if a.w <= 1e-4 || b.w <= 1e-4 || !is_drawn(scene, mesh, style, edge, 0.5 * (a_world + b_world)) {
+    let kind = line_kind(scene, mesh, style, edge, 0.5 * (a_world + b_world));
+    if a.w <= 1e-4 || b.w <= 1e-4 || kind == LineKind::None {
         return out;
     }
-    out.from_px = px_from_clip(scene, a);
-    out.to_px = px_from_clip(scene, b);
-    let step_px = out.to_px - out.from_px;
-    let length_px = step_px.length();
-    let along = if length_px > 1e-6 { step_px / length_px } else { DVec2::X };
+    let a_px = px_from_clip(scene, a);
+    let b_px = px_from_clip(scene, b);
+    let length_px = a_px.distance(b_px);
+    let along = if length_px > 1e-6 { (b_px - a_px) / length_px } else { DVec2::X };
     let across = DVec2::new(-along.y, along.x);
+    let side = match kind {
+        LineKind::Right => 1.0,
+        LineKind::Left => -1.0,
+        LineKind::None | LineKind::Centred => 0.0,
+    };
+    let aside = ASIDE_WIDTHS * style.width_px * side;
+    out.from_px = a_px + aside * across;
+    out.to_px = b_px + aside * across;
     let reach = 0.5 * style.width_px + 1.0;
     let at_b = corner >= 2;
     let side = if corner % 2 == 1 { 1.0 } else { -1.0 };

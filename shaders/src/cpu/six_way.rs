@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 use super::lib::columns::{column_coordinate, map_level};
 use super::lib::light::darkness;
-use super::lib::mapping::map_surface;
+use super::lib::mapping::{map_surface, pattern_count};
 use super::lib::material::reflectance;
 use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point, surface_vertex};
 use super::{Bindings, MapImage, Quad};
@@ -46,12 +46,7 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, la
     let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
     let mapped = map_surface(b, &points, lane);
     let level = map_level(b.material, mapped.tiles_per_px);
-    let [first, second, third] = &mapped.patterns;
-    let mut ink = first.weight * six_ink(b.map, first.uv, level, weights);
-    for pattern in [second, third] {
-        if pattern.weight > 0.0 {
-            ink += pattern.weight * six_ink(b.map, pattern.uv, level, weights);
-        }
-    }
+    let patterns = &mapped.patterns[..pattern_count(b.options.mapping, &mapped)];
+    let ink = patterns.iter().map(|pattern| pattern.weight * six_ink(b.map, pattern.uv, level, weights)).sum();
     drawn(b.scene, b.material, ink)
 }

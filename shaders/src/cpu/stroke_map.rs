@@ -5,7 +5,7 @@ use glam::{DVec2, DVec4};
 
 use super::lib::blend::blended_ink;
 use super::lib::columns::map_level;
-use super::lib::halftone::halftone_ink;
+use super::lib::halftone::{halftone_ink, halftone_threshold};
 use super::lib::light::darkness;
 use super::lib::mapping::map_surface;
 use super::lib::material::reflectance;
@@ -26,7 +26,12 @@ pub struct Sampled {
 pub fn pattern_ink(b: &Bindings<'_>, at: &Quad<Sampled>, lane: usize, d: f64) -> f64 {
     let here = at[lane];
     if b.options.pattern == PatternKind::Lines {
-        return halftone_ink(here.uv.y, here.tiles_per_px, b.material.line_period_px, d);
+        if b.options.form == Form::Literal {
+            let lines = (b.material.size_px / b.material.line_period_px).floor();
+            return threshold_one_sided(d, halftone_threshold(here.uv.y, lines), b.material.slope);
+        }
+        let t = at.map(|at| at.uv.y);
+        return halftone_ink(here.uv.y, t.dpdx(lane).hypot(t.dpdy(lane)), b.material.line_period_px, d);
     }
     let sample = |at: Sampled| {
         let level = map_level(b.material, at.tiles_per_px);

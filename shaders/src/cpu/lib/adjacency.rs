@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::columns::{column_coordinate, column_ink};
 use super::light::darkness;
-use super::mapping::Pattern;
+use super::mapping::{LONE_WEIGHT, Pattern};
 use super::material::reflectance;
 use super::surface::Point;
 use crate::cpu::{Bindings, Form};
@@ -28,6 +28,6 @@ pub fn contributed_ink(b: &Bindings<'_>, point: &Point, n: DVec3, patterns: &[Pa
     if b.options.form == Form::Literal {
         return column_ink(b.material, b.map, patterns[0].uv, level, x.round_ties_even());
     }
-    let taking_part = patterns.iter().filter(|pattern| pattern.weight > 0.0);
-    taking_part.map(|pattern| pattern.weight * column_ink(b.material, b.map, pattern.uv, level, x)).sum()
+    let count = if patterns[0].weight > LONE_WEIGHT { 1 } else { 3 };
+    patterns[..count].iter().map(|pattern| pattern.weight * column_ink(b.material, b.map, pattern.uv, level, x)).sum()
 }

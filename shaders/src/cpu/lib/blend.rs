@@ -1,6 +1,6 @@
 //! Twin of `lib/blend.wgsl`: patterns that overlap, by union or linearly.
 
-use super::mapping::Mapped;
+use super::mapping::{Mapped, pattern_count};
 use crate::cpu::{Blend, Mapping, Options};
 
 /// The darkness at which a pattern of this weight takes part, so that the union of all has darkness `d`.
@@ -13,14 +13,13 @@ pub fn blended_ink(options: Options, mapped: &Mapped, d: f64, pattern_ink: impl 
     let linear = options.blend == Blend::Linear || options.mapping == Mapping::Frames;
     let mut sum = 0.0;
     let mut clear = 1.0;
-    for (i, pattern) in mapped.patterns.iter().enumerate() {
-        if pattern.weight > 0.0 {
-            if linear {
-                sum += pattern.weight * pattern_ink(i, d);
-            } else {
-                let reduced = union_darkness(d, pattern.weight);
-                clear *= 1.0 - pattern_ink(i, reduced);
-            }
+    let count = pattern_count(options.mapping, mapped);
+    for (i, pattern) in mapped.patterns[..count].iter().enumerate() {
+        if linear {
+            sum += pattern.weight * pattern_ink(i, d);
+        } else {
+            let reduced = union_darkness(d, pattern.weight);
+            clear *= 1.0 - pattern_ink(i, reduced);
         }
     }
     if linear { sum } else { 1.0 - clear }

@@ -20,11 +20,17 @@ pub fn line_ink(phase: f64, phase_per_px: f64, d: f64, f: f64) -> f64 {
     (line_coverage(x, widths.x, k) + line_coverage(1.0 - x, widths.y, k)).clamp(0.0, 1.0)
 }
 
-/// Lines across `t`, spaced between `line_period_px` and twice that on the screen.
-pub fn halftone_ink(t: f64, tiles_per_px: f64, line_period_px: f64, d: f64) -> f64 {
-    let wanted = 1.0 / (tiles_per_px * line_period_px).max(1e-6);
+/// Lines across `t`, spaced between `line_period_px` and twice that on the screen; `t_per_px` is the slope of `t` there.
+pub fn halftone_ink(t: f64, t_per_px: f64, line_period_px: f64, d: f64) -> f64 {
+    let wanted = 1.0 / (t_per_px * line_period_px).max(1e-6);
     let octave = wanted.log2().floor();
     let f = (wanted / octave.exp2() - 1.0).clamp(0.0, 1.0);
     let lines = octave.exp2();
-    line_ink(t * lines, tiles_per_px * lines, d, f)
+    line_ink(t * lines, t_per_px * lines, d, f)
+}
+
+/// As the sketch has it: a halftone pattern that is fixed to the surface, to be thresholded with a fixed slope.
+pub fn halftone_threshold(t: f64, lines: f64) -> f64 {
+    let phase = t * lines;
+    2.0 * (phase - phase.round_ties_even()).abs()
 }

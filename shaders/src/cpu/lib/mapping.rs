@@ -10,6 +10,9 @@ use super::scene::Scene;
 use super::surface::Point;
 use crate::cpu::{Bindings, Form, Mapping, Quad};
 
+/// A frame of more than this share is drawn alone. The shader compares with the nearest 32-bit number.
+pub(super) const LONE_WEIGHT: f64 = 0.999_f32 as f64;
+
 /// One layer of the map on the surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pattern {
@@ -108,5 +111,14 @@ pub fn map_surface(b: &Bindings<'_>, points: &Quad<Point>, lane: usize) -> Mappe
         Mapping::Frames => map_frames(b, &points[lane]),
         Mapping::Triplanar => map_triplanar(b.options.form, b.scene, b.material, &points[lane]),
         Mapping::Uv => map_uv(b.material, points, lane),
+    }
+}
+
+/// How many of the patterns take part; the rest have no weight.
+pub fn pattern_count(mapping: Mapping, mapped: &Mapped) -> usize {
+    match mapping {
+        Mapping::Uv => 1,
+        Mapping::Frames if mapped.patterns[0].weight > LONE_WEIGHT => 1,
+        Mapping::Frames | Mapping::Triplanar => 3,
     }
 }
