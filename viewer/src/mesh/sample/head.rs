@@ -163,7 +163,7 @@ fn neck(p: Vec3) -> f32 {
     let column = round_cone(p, vec3(0.0, -5.0, -2.2), vec3(0.0, -20.0, -3.8), 4.7, 5.6);
     let muscle = round_cone(p, vec3(5.0, -4.0, -2.8), vec3(1.5, -17.5, 1.6), 1.0, 0.9);
     let larynx = ellipsoid(p, vec3(0.0, -12.8, 2.0), vec3(1.0, 1.5, 1.2));
-    let nape = round_cone(p, vec3(1.4, -4.0, -5.4), vec3(1.8, -20.0, -5.8), 2.2, 3.6);
+    let nape = round_cone(p, vec3(0.0, -4.0, -4.9), vec3(0.0, -20.0, -5.4), 3.3, 4.6);
     let neck = unite(unite(unite(column, muscle, 1.3), larynx, 1.6), nape, 2.0);
     intersect(neck, -17.5 - p.y, 1.2)
 }
