@@ -10,6 +10,8 @@ pub mod maps;
 pub mod params;
 pub mod scene;
 
+pub mod reference;
+
 mod frame;
 pub mod gpu;
 mod passes;

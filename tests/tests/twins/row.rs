@@ -142,7 +142,8 @@ impl Row {
     fn source(&self) -> String {
         let pass = compose(self.pass, Capabilities::default());
         let call = self.call;
-        let helper = if pass.contains("struct Point {") { POINT } else { "" };
+        let with = |name: &str, helper: &'static str| if pass.contains(name) { helper } else { "" };
+        let helper = format!("{}{}", with("struct Point {", POINT), with("struct Pattern {", PATTERN));
         format!(
             "{pass}{HARNESS}{helper}@fragment\nfn harness(@builtin(position) place: vec4f) -> @location(0) vec4f {{\n\
             let at = u32(place.y) * {SIDE}u + u32(place.x);\n\
@@ -157,7 +158,7 @@ struct Case { a: vec4f, b: vec4f, c: vec4f, d: vec4f }
 @group(3) @binding(0) var<storage, read> cases: array<Case>;
 @vertex
 fn harness_vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
-    return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+    return vec4f(f32(i & 1u) * 2.0 - 1.0, 1.0 - f32(i >> 1u) * 2.0, 0.0, 1.0);
 }
 ";
 
@@ -166,6 +167,10 @@ const POINT: &str = "
 fn case_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
     return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, u32(d.z));
 }
+";
+
+/// A pattern as one vector.
+const PATTERN: &str = "
 fn patterned(p: Pattern) -> vec4f {
     return vec4f(p.uv, p.weight, 0.0);
 }

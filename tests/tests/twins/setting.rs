@@ -130,7 +130,7 @@ impl Setting {
         let face_normals: Vec<[f32; 4]> = (0..FACES).map(|i| direction(i, 40).extend(has_area(i)).into()).collect();
         let face_planes: Vec<[f32; 4]> = (0..2 * FACES).map(plane).collect();
         let face_frames: Vec<_> = (0..FACES).map(frame).collect();
-        let map = noise_map(seed);
+        let map = noise_map(seed, tones.len() - 1);
         let distribution = distribution(seed);
         let twin = Twin {
             scene: (&scene).into(),
@@ -249,13 +249,16 @@ fn material(tones: &[f32]) -> types::Material {
     }
 }
 
-/// 16, 8 and 4 texels of noise in seven layers: the hardest map to filter.
-fn noise_map(seed: u64) -> MapImage {
+/// 16, 8 and 4 texels of noise, the hardest map to filter. Layer k holds columns k and k + 1 in its first two channels, as
+/// methods with many columns read it; there is no white column, so that every channel counts.
+fn noise_map(seed: u64, columns: usize) -> MapImage {
     let level = |size: u32| {
-        let texel =
-            |i: usize| [0, 1, 2, 3].map(|c| Draw::new("noise", seed + u64::from(size), i).pick(1000 + c, 256) as u8);
-        let layer = |layer: usize| (0..(size * size) as usize).map(|i| texel(i + layer * 1009)).collect();
-        MapLevel { size, layers: (0..7).map(layer).collect() }
+        let noise = |column: usize, i: usize| {
+            Draw::new("noise", seed + u64::from(size), i).pick(1000 + column as u64, 256) as u8
+        };
+        let texel = |layer: usize, i| [noise(layer, i), noise(layer + 1, i), noise(layer + 100, i), 255];
+        let layer = |layer| (0..(size * size) as usize).map(|i| texel(layer, i)).collect();
+        MapLevel { size, layers: (0..columns.max(2)).map(layer).collect() }
     };
     MapImage { levels: [16, 8, 4].map(level).to_vec() }
 }
