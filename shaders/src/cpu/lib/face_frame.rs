@@ -69,7 +69,10 @@ pub fn frame_hardened(scene: &Scene, n: DVec3, g_world: DVec3) -> Frame {
     }
     let scale = 1.0 / total.max(1e-6);
     let sine = (tensor.length() * scale).sqrt();
-    let axis = half_angle(tensor);
+    let mut axis = half_angle(tensor);
+    if axis.dot(sum) < 0.0 {
+        axis = -axis;
+    }
     let clear = smoothstep(0.25 * SINE_BAND, SINE_BAND, sine);
     let side = smoothstep(-1.0, 1.0, axis.dot(sum) * scale / (0.5 * sine.max(SINE_BAND)));
     let b = axis.x * e + axis.y * f;
