@@ -26,9 +26,8 @@ pub fn check(mesh: &Mesh) {
     }
     assert!(used.iter().all(|used| *used));
 
-    let edge = |face: usize, k: usize| {
-        [k, (k + 1) % 3].map(|corner| mesh.points[mesh.triangles[face][corner] as usize])
-    };
+    let edge =
+        |face: usize, k: usize| [k, (k + 1) % 3].map(|corner| mesh.points[mesh.triangles[face][corner] as usize]);
     for (face, neighbours) in mesh.neighbours.iter().enumerate() {
         for (k, &other) in neighbours.iter().enumerate().filter(|(_, other)| **other != NONE) {
             let [from, to] = edge(face, k);
@@ -54,11 +53,15 @@ pub fn check(mesh: &Mesh) {
         assert!(posed.len() == vertices && posed.iter().all(|position| position.is_finite()));
     }
     assert!(mesh.uv_density().is_none_or(|density| density.is_finite()));
-    let mut edges: Vec<[u32; 2]> = mesh.edges().iter().map(|edge| {
-        let mut points = edge.vertices.map(|vertex| mesh.points[vertex as usize]);
-        points.sort_unstable();
-        points
-    }).collect();
+    let mut edges: Vec<[u32; 2]> = mesh
+        .edges()
+        .iter()
+        .map(|edge| {
+            let mut points = edge.vertices.map(|vertex| mesh.points[vertex as usize]);
+            points.sort_unstable();
+            points
+        })
+        .collect();
     let all = edges.len();
     edges.sort_unstable();
     edges.dedup();

@@ -16,6 +16,8 @@ mod query;
 mod raw;
 mod report;
 mod table;
+#[cfg(test)]
+mod test_files;
 
 use std::ops::Range;
 

@@ -72,11 +72,7 @@ impl MeshReport {
             "triangle was dropped: its coordinates are not finite",
             "triangles were dropped: their coordinates are not finite",
         );
-        note(
-            self.dropped_degenerate,
-            "triangle without area was dropped",
-            "triangles without area were dropped",
-        );
+        note(self.dropped_degenerate, "triangle without area was dropped", "triangles without area were dropped");
         note(
             self.dropped_doubled,
             "triangle was dropped: another has the same corners",

@@ -126,7 +126,8 @@ impl Reader {
             let uv = self.optional_index(numbers.next(), self.file_uvs.len())?;
             let normal = self.optional_index(numbers.next(), self.file_normals.len())?;
             let corner = [position, uv, normal];
-            let (vertex, new) = self.table.find_or_insert(join(&corner), |other| self.corners[other as usize] == corner);
+            let (vertex, new) =
+                self.table.find_or_insert(join(&corner), |other| self.corners[other as usize] == corner);
             if new {
                 self.corners.push(corner);
             }

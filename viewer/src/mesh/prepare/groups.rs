@@ -105,9 +105,7 @@ fn smooth_groups(surface: &Surface, neighbours: &[[u32; 3]], shape: &Shape) -> (
     let least_cosine = CREASE_DEGREES.to_radians().cos();
     let smooth = |face: u32, other: u32| {
         let (face, other) = (face as usize, other as usize);
-        shape.slivers[face]
-            || shape.slivers[other]
-            || shape.normals[face].dot(shape.normals[other]) >= least_cosine
+        shape.slivers[face] || shape.slivers[other] || shape.normals[face].dot(shape.normals[other]) >= least_cosine
     };
     let mut corners = vec![[NONE; 3]; surface.triangles.len()];
     let mut normals = Vec::new();

@@ -81,17 +81,14 @@ impl Grid {
         let place = (position - self.low) * self.inverse_cell;
         let from = (place - self.reach).floor().max(DVec3::ZERO).as_uvec3();
         let to = (place + self.reach).floor().as_uvec3();
-        (from.z..=to.z).flat_map(move |z| {
-            (from.y..=to.y).flat_map(move |y| (from.x..=to.x).map(move |x| [x, y, z]))
-        })
+        (from.z..=to.z).flat_map(move |z| (from.y..=to.y).flat_map(move |y| (from.x..=to.x).map(move |x| [x, y, z])))
     }
 }
 
 /// Least and greatest coordinates.
 pub(super) fn bounds(positions: impl Iterator<Item = Vec3>) -> (DVec3, DVec3) {
-    let (low, high) = positions.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), position| {
-        (low.min(position), high.max(position))
-    });
+    let (low, high) = positions
+        .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), position| (low.min(position), high.max(position)));
     (low.as_dvec3(), high.as_dvec3())
 }
 

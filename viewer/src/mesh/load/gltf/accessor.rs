@@ -180,7 +180,9 @@ impl<'a> Buffers<'a> {
             let what = format!("buffer view {at} has a stride of {stride} bytes for elements of {size}");
             return Err(MeshError::damaged(what));
         }
-        let range = |start: u64, length: u64| Some(usize::try_from(start).ok()?..usize::try_from(start.checked_add(length)?).ok()?);
+        let range = |start: u64, length: u64| {
+            Some(usize::try_from(start).ok()?..usize::try_from(start.checked_add(length)?).ok()?)
+        };
         let cut_short = |needed: u64, given: usize| MeshError::Truncated {
             what: format!("buffer view {at} and its elements"),
             needed,

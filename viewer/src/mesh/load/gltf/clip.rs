@@ -5,8 +5,8 @@ use gltf::json::accessor::Type;
 use gltf::json::animation::{Interpolation as JsonInterpolation, Property};
 use gltf::json::validation::Checked;
 
-use crate::mesh::animation::{Animation, Channel, Interpolation, Rig, Sampler, Target};
 use crate::mesh::MeshError;
+use crate::mesh::animation::{Animation, Channel, Interpolation, Rig, Sampler, Target};
 
 use super::accessor::Buffers;
 use super::item;

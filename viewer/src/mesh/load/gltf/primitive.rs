@@ -1,10 +1,10 @@
 //! The triangles of the nodes' meshes.
 
+use glam::{DMat4, Mat4, Vec2, Vec3};
 use gltf::json::accessor::Type;
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
 use gltf::json::{Accessor, Index, Root};
-use glam::{DMat4, Mat4, Vec2, Vec3};
 
 use crate::mesh::animation::{Instance, Rig, Skin};
 use crate::mesh::{MeshError, RawMesh, RawPart};
@@ -64,7 +64,8 @@ impl Reader<'_> {
             Checked::Invalid => return Err(MeshError::damaged("a primitive of an unknown mode")),
         };
         let positions = attribute(Semantic::Positions);
-        let (true, Some(positions)) = (matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan), positions)
+        let (true, Some(positions)) =
+            (matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan), positions)
         else {
             self.passed_over += 1;
             return Ok(());
@@ -165,8 +166,7 @@ impl Reader<'_> {
         loop {
             let set = influences.len() as u32;
             let attribute = |semantic| primitive.attributes.get(&Checked::Valid(semantic)).copied();
-            let (Some(joints), Some(weights)) =
-                (attribute(Semantic::Joints(set)), attribute(Semantic::Weights(set)))
+            let (Some(joints), Some(weights)) = (attribute(Semantic::Joints(set)), attribute(Semantic::Weights(set)))
             else {
                 break;
             };

@@ -1,8 +1,8 @@
 //! The nodes of a scene.
 
+use glam::{DMat4, Mat4, Quat, Vec3};
 use gltf::json::Root;
 use gltf::json::scene::Node as JsonNode;
-use glam::{DMat4, Mat4, Quat, Vec3};
 
 use crate::mesh::MeshError;
 use crate::mesh::animation::{Node, Transform};
@@ -20,7 +20,9 @@ pub(super) fn nodes(root: &Root) -> Result<(Vec<Node>, Vec<usize>), MeshError> {
             let known = nodes[child.value()].parent.replace(parent);
             if let Some(other) = known {
                 let child = child.value();
-                return Err(MeshError::damaged(format!("node {child} is a child of both node {other} and node {parent}")));
+                return Err(MeshError::damaged(format!(
+                    "node {child} is a child of both node {other} and node {parent}"
+                )));
             }
         }
     }

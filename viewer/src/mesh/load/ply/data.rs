@@ -60,12 +60,7 @@ impl<'a> Data<'a> {
     }
 
     /// The next list's numbers.
-    pub(super) fn list(
-        &mut self,
-        count: Scalar,
-        item: Scalar,
-        mut each: impl FnMut(f64),
-    ) -> Result<(), MeshError> {
+    pub(super) fn list(&mut self, count: Scalar, item: Scalar, mut each: impl FnMut(f64)) -> Result<(), MeshError> {
         let count = self.scalar(count)?;
         // A wrong count runs out of data soon: nothing is reserved for it.
         if !(count >= 0.0 && count.fract() == 0.0) {
@@ -86,7 +81,8 @@ impl<'a> Data<'a> {
     }
 
     fn take<const N: usize>(&mut self) -> Result<[u8; N], MeshError> {
-        let (taken, rest) = self.rest.split_first_chunk().ok_or_else(|| MeshError::damaged("it ends within its data"))?;
+        let (taken, rest) =
+            self.rest.split_first_chunk().ok_or_else(|| MeshError::damaged("it ends within its data"))?;
         self.rest = rest;
         Ok(*taken)
     }
