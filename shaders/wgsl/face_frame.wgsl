@@ -33,24 +33,34 @@ fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) 
     let second = dot(face_planes[2u * face + 1u].xyz, p) + face_planes[2u * face + 1u].w;
     // The corner opposite to the edge from corner k to corner k + 1 is corner k + 2.
     let opposite = vec3f(1.0 - first - second, first, second);
-    var sum = face_ink(point, p, face, front, level);
-    var weight = 1.0;
+    // The face itself, and the neighbours that contribute here.
+    var faces = array<u32, 4>(face, 0u, 0u, 0u);
+    var weights = array<f32, 4>(1.0, 0.0, 0.0, 0.0);
+    var count = 1u;
     for (var k = 0u; k < 3u; k++) {
         let other = neighbours[3u * face + k];
-        if other == NO_FACE {
-            if FORM == FORM_LITERAL {
-                // The adjacency primitive of a border repeats a corner: a triangle without area or normal.
-                weight += contribution(dot(own.xyz, normalize(own.xyz * 0.0)), opposite[k]);
+        var f = 0.0;
+        if other != NO_FACE {
+            let theirs = face_normals[other];
+            f = contribution(dot(own.xyz, theirs.xyz), opposite[k]);
+            if FORM == FORM_HARDENED {
+                f = select(0.0, f, own.w * theirs.w > 0.0);
             }
-            continue;
+        } else if FORM == FORM_LITERAL {
+            // The adjacency primitive of a border repeats a corner: a triangle without area or normal.
+            f = contribution(dot(own.xyz, normalize(own.xyz * 0.0)), opposite[k]);
         }
-        let theirs = face_normals[other];
-        let f = contribution(dot(own.xyz, theirs.xyz), opposite[k]);
-        if FORM == FORM_HARDENED && !(f * own.w * theirs.w > 0.0) {
-            continue;
+        if FORM == FORM_LITERAL || f > 0.0 {
+            faces[count] = select(face, other, other != NO_FACE);
+            weights[count] = f;
+            count++;
         }
-        sum += f * face_ink(point, p, other, front, level);
-        weight += f;
+    }
+    var sum = 0.0;
+    var weight = 0.0;
+    for (var i = 0u; i < count; i++) {
+        sum += weights[i] * face_ink(point, p, faces[i], front, level);
+        weight += weights[i];
     }
     return drawn(sum / weight);
 }

@@ -66,12 +66,11 @@ fn fragment(in: FragmentIn, six: SixWayIn, @builtin(front_facing) front: bool) -
     let mapped = map_surface(surface_point(in, front));
     let level = map_level(mapped.tiles_per_px);
     let weights = Weights(six.light, six.dark);
-    var ink = mapped.a.weight * six_ink(mapped.a.uv, level, weights);
-    if mapped.b.weight > 0.0 {
-        ink += mapped.b.weight * six_ink(mapped.b.uv, level, weights);
-    }
-    if mapped.c.weight > 0.0 {
-        ink += mapped.c.weight * six_ink(mapped.c.uv, level, weights);
+    let patterns = array<Pattern, 3>(mapped.a, mapped.b, mapped.c);
+    let count = pattern_count(mapped);
+    var ink = 0.0;
+    for (var i = 0u; i < count; i++) {
+        ink += patterns[i].weight * six_ink(patterns[i].uv, level, weights);
     }
     return drawn(ink);
 }

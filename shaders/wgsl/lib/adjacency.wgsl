@@ -24,11 +24,11 @@ fn contributed_ink(point: Point, n: vec3f, patterns: array<Pattern, 3>, level: f
         x = round(x);
         return column_ink(patterns[0].uv, level, x);
     }
+    // Nearly always the frame alone has a share.
+    let count = select(3u, 1u, patterns[0].weight > 0.999);
     var ink = 0.0;
-    for (var i = 0u; i < 3u; i++) {
-        if patterns[i].weight > 0.0 {
-            ink += patterns[i].weight * column_ink(patterns[i].uv, level, x);
-        }
+    for (var i = 0u; i < count; i++) {
+        ink += patterns[i].weight * column_ink(patterns[i].uv, level, x);
     }
     return ink;
 }

@@ -15,18 +15,17 @@ fn union_darkness(d: f32, weight: f32) -> f32 {
 fn blended_ink(mapped: Mapped, d: f32) -> f32 {
     // The frames of one face share their offset, so their patterns are not independent.
     let linear = BLEND == BLEND_LINEAR || MAPPING == MAPPING_FRAMES;
+    let patterns = array<Pattern, 3>(mapped.a, mapped.b, mapped.c);
+    let count = pattern_count(mapped);
     var sum = 0.0;
     var clear = 1.0;
-    let patterns = array<Pattern, 3>(mapped.a, mapped.b, mapped.c);
-    for (var i = 0u; i < 3u; i++) {
+    for (var i = 0u; i < count; i++) {
         let pattern = patterns[i];
-        if pattern.weight > 0.0 {
-            if linear {
-                sum += pattern.weight * pattern_ink(pattern.uv, mapped.tiles_per_px, d);
-            } else {
-                let reduced = union_darkness(d, pattern.weight);
-                clear *= 1.0 - pattern_ink(pattern.uv, mapped.tiles_per_px, reduced);
-            }
+        if linear {
+            sum += pattern.weight * pattern_ink(pattern.uv, mapped.tiles_per_px, d);
+        } else {
+            let reduced = union_darkness(d, pattern.weight);
+            clear *= 1.0 - pattern_ink(pattern.uv, mapped.tiles_per_px, reduced);
         }
     }
     return select(1.0 - clear, sum, linear);

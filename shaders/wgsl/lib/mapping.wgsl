@@ -93,3 +93,14 @@ fn map_surface(point: Point) -> Mapped {
     }
     return map_uv(point);
 }
+
+// How many of the patterns take part; the rest have no weight.
+fn pattern_count(mapped: Mapped) -> u32 {
+    if MAPPING == MAPPING_UV {
+        return 1u;
+    }
+    if MAPPING == MAPPING_FRAMES {
+        return select(3u, 1u, mapped.a.weight > 0.999);
+    }
+    return 3u;
+}
