@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use crate::gpu::{Gpu, GpuError};
+use crate::renderer::Renderer;
 
 /// Measures the drawing passes of frames.
 pub struct FrameTimer {
@@ -56,15 +57,20 @@ impl FrameTimer {
         }
     }
 
-    /// Time of the frame that `draw` submits with this timer; waits until it is done. A device without timestamps is
+    /// Time of the frame that `draw` submits with this timer by `renderer`; waits until it is done. A device without timestamps is
     /// measured from submit to finish.
     ///
     /// # Errors
     /// What `draw` returns, or a failed device.
-    pub fn time<E: From<GpuError>>(&self, gpu: &Gpu, draw: impl FnOnce(&Self) -> Result<(), E>) -> Result<Duration, E> {
-        gpu.wait()?;
+    pub fn time<E: From<GpuError>>(
+        &self,
+        renderer: &mut Renderer,
+        draw: impl FnOnce(&mut Renderer, &Self) -> Result<(), E>,
+    ) -> Result<Duration, E> {
+        renderer.gpu.wait()?;
         let start = Instant::now();
-        draw(self)?;
+        draw(renderer, self)?;
+        let gpu = &renderer.gpu;
         gpu.wait()?;
         let wall = start.elapsed();
         let Some(queries) = &self.queries else {
