@@ -9,6 +9,8 @@
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
 pub mod checks;
+#[cfg(feature = "cli")]
+pub mod command;
 pub mod error;
 pub mod export;
 mod generate;

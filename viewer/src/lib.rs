@@ -8,6 +8,7 @@ pub mod mesh;
 
 pub mod maps;
 pub mod params;
+pub mod ranges;
 pub mod scene;
 
 pub mod reference;
@@ -17,6 +18,9 @@ pub mod gpu;
 mod passes;
 mod renderer;
 mod timer;
+
+pub mod sheet;
+pub mod turntable;
 
 pub use params::{Blend, FaceFrameForm, Form, Mapping, Method, RenderParams, Silhouettes};
 pub use renderer::{MAX_PARTS, RenderError, Renderer};

@@ -49,6 +49,14 @@ impl HatchMap {
     /// # Errors
     /// [`GenerateError`], where the preset cannot be generated.
     pub fn fine(&self) -> Result<&Grid, GenerateError> {
+        self.fine_with(&Job::default())
+    }
+
+    /// The same, followed and stopped by a job where it has to be made first.
+    ///
+    /// # Errors
+    /// [`GenerateError`]: the preset cannot be generated, or cancelled.
+    pub fn fine_with(&self, job: &Job<'_>) -> Result<&Grid, GenerateError> {
         if let Some(fine) = self.fine.get() {
             return Ok(fine);
         }
@@ -57,7 +65,7 @@ impl HatchMap {
         };
         let mut preset = preset.clone();
         preset.map.tones = Tones::Count(FINE_COLUMNS);
-        let mut grid = tam_gen::generate(&preset, &Job::default())?.grid;
+        let mut grid = tam_gen::generate(&preset, job)?.grid;
         grid.append_tail();
         Ok(self.fine.get_or_init(|| grid))
     }

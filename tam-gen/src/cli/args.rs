@@ -1,15 +1,10 @@
 //! The arguments of the command line, and their help.
 
-use clap::builder::styling::{AnsiColor, Effects, Styles};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use tam_gen::command::shell::{CompletionsArgs, ManArgs};
+use tam_gen::command::{Common, STYLES};
 use tam_gen::preset::{Overrides, PlacementMethod, Tones};
-
-const STYLES: Styles = Styles::styled()
-    .header(AnsiColor::Green.on_default().effects(Effects::BOLD))
-    .usage(AnsiColor::Green.on_default().effects(Effects::BOLD))
-    .literal(AnsiColor::Cyan.on_default().effects(Effects::BOLD))
-    .placeholder(AnsiColor::Cyan.on_default());
 
 const EXAMPLES: &str = "\
 Examples:
@@ -34,23 +29,6 @@ pub(super) struct Cli {
     pub(super) common: Common,
 }
 
-/// Options of every command.
-#[derive(Debug, Args)]
-pub(super) struct Common {
-    /// Print one JSON object on standard output, also for errors
-    #[arg(long, global = true, help_heading = "Common options")]
-    pub(super) json: bool,
-    /// Print nothing but errors
-    #[arg(long, short, global = true, help_heading = "Common options")]
-    pub(super) quiet: bool,
-    /// Say on standard error what is being done; twice for more
-    #[arg(long, short, global = true, action = clap::ArgAction::Count, help_heading = "Common options")]
-    pub(super) verbose: u8,
-    /// Threads to use [default: as many as there are cores]; the result is the same for any number
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = "Common options")]
-    pub(super) threads: Option<u16>,
-}
-
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Generate a map from a preset, check it, and write it
@@ -66,9 +44,11 @@ pub(super) enum Command {
     /// Regenerate a map whenever its preset is saved
     Watch(super::watch::WatchArgs),
     /// Print completions for a shell
-    Completions(super::shell::CompletionsArgs),
+    #[command(after_help = super::shell::COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArgs),
     /// Print the manual page, or write those of all commands
-    Man(super::shell::ManArgs),
+    #[command(after_help = super::shell::MAN_EXAMPLES)]
+    Man(ManArgs),
 }
 
 /// What replaces a preset's own options.

@@ -5,16 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 use serde_json::json;
 use tam_gen::checks::{self, CheckOptions, Report};
+use tam_gen::command::{Failure, Output, files, words::path_text};
 use tam_gen::export::VERSION;
 use tam_gen::import::{self, ImportOptions, Imported, LevelOrder, Polarity};
 use tam_gen::preset::{ToneMeasure, Tones};
 use tam_gen::{Grid, Job, Preset, StrokeList};
 
 use super::Outcome;
-use super::failure::Failure;
-use super::files;
-use super::output::Output;
-use super::summary::path_text;
 
 const EXAMPLES: &str = "\
 Examples:

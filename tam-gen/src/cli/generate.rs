@@ -6,16 +6,12 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use tam_gen::checks::{Report, check_map};
+use tam_gen::command::{Failure, Output, Progress, interrupt, source};
 use tam_gen::export::{ExportOptions, Format, WrittenFile, export};
 use tam_gen::{Job, Map, Preset};
 
 use super::Outcome;
 use super::args::OverrideArgs;
-use super::failure::Failure;
-use super::interrupt;
-use super::output::Output;
-use super::progress::Progress;
-use super::source;
 use super::summary::Finished;
 
 const EXAMPLES: &str = "\
@@ -122,7 +118,7 @@ pub(super) fn make(
     cancel: &AtomicBool,
     output: &Output,
 ) -> Result<Made, Failure> {
-    let progress = Progress::new(output.quiet);
+    let progress = Progress::new("generating", output.quiet);
     let report = |part| progress.set(part);
     let job = Job { progress: Some(&report), cancel: Some(cancel), measure: None };
     let started = Instant::now();

@@ -4,14 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Subcommand;
 use serde_json::{Value, json};
+use tam_gen::command::{Failure, Output, files, interrupt, source, words::path_text};
 use tam_gen::export::sheet::{SheetOptions, gallery};
 use tam_gen::{Job, Preset};
 
-use super::failure::Failure;
-use super::output::Output;
-use super::summary::path_text;
+use super::Outcome;
 use super::template::commented;
-use super::{Outcome, files, interrupt, source};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -3,12 +3,10 @@
 use std::path::PathBuf;
 
 use serde_json::json;
+use tam_gen::command::{Failure, Output, files, print_bytes, words::path_text};
 use tam_gen::preset;
 
-use super::failure::Failure;
-use super::output::{self, Output};
-use super::summary::path_text;
-use super::{Outcome, files};
+use super::Outcome;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -31,7 +29,7 @@ pub(super) fn run(args: &SchemaArgs, output: &Output) -> Result<Outcome, Failure
     let text = preset::schema_text();
     match &args.out {
         // The schema is itself the one object of a run with --json.
-        None => output::print(&text)?,
+        None => print_bytes(text.as_bytes())?,
         Some(path) => {
             files::write(path, text.as_bytes(), args.force)?;
             output.say(&format!("{}\n", path.display()))?;

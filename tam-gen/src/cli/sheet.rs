@@ -4,16 +4,13 @@ use std::path::PathBuf;
 
 use image::RgbImage;
 use serde_json::json;
+use tam_gen::command::{Failure, Output, files, interrupt, source, words::path_text};
 use tam_gen::export::sheet::{SheetOptions, contact_sheet, tiling};
 use tam_gen::import::{self, ImportOptions};
 use tam_gen::{Grid, Job, Preset};
 
 use super::Outcome;
 use super::args::OverrideArgs;
-use super::failure::Failure;
-use super::output::Output;
-use super::summary::path_text;
-use super::{files, interrupt, source};
 
 const EXAMPLES: &str = "\
 Examples:

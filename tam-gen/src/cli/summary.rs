@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use tam_gen::checks::Report;
+use tam_gen::command::words::{counted, duration, milliseconds, path_text, size};
 use tam_gen::export::WrittenFile;
 use tam_gen::{Deficit, Map};
 
@@ -65,25 +66,6 @@ impl Finished<'_> {
     }
 }
 
-/// Time in words: `87 ms`, `2.4 s`.
-pub(super) fn duration(took: Duration) -> String {
-    if took < Duration::from_secs(1) {
-        format!("{:.0} ms", milliseconds(took))
-    } else {
-        format!("{:.1} s", took.as_secs_f64())
-    }
-}
-
-/// Time in milliseconds, to a hundredth.
-pub(super) fn milliseconds(took: Duration) -> f64 {
-    (took.as_secs_f64() * 1e5).round() / 100.0
-}
-
-/// A path as text; bytes that are no text are replaced.
-pub(super) fn path_text(path: &Path) -> String {
-    path.display().to_string()
-}
-
 /// Cells that miss their tone, with the way out, or nothing.
 pub(super) fn deficit_list(deficits: &[Deficit]) -> String {
     let mut text = String::new();
@@ -132,18 +114,6 @@ fn file_table(files: &[WrittenFile]) -> String {
     rows.iter().map(|(path, bytes, what)| format!("{path:<width$}  {:>9}  {what}\n", size(*bytes))).collect()
 }
 
-fn size(bytes: u64) -> String {
-    match bytes {
-        0..1_000 => format!("{bytes} B"),
-        1_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
-        _ => format!("{:.1} MB", bytes as f64 / 1e6),
-    }
-}
-
-fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,11 +129,5 @@ mod tests {
         let table = file_table(&files);
         assert_eq!(table.lines().count(), 2, "{table}");
         assert!(table.contains("(24 files)") && table.contains("2.4 kB") && table.contains("1.5 kB"), "{table}");
-    }
-
-    #[test]
-    fn times_are_short_to_read() {
-        assert_eq!(duration(Duration::from_micros(87_400)), "87 ms");
-        assert_eq!(duration(Duration::from_millis(2_449)), "2.4 s");
     }
 }

@@ -8,15 +8,13 @@ use std::time::{Duration, Instant};
 
 use notify::{Event, EventKind, RecursiveMode, Watcher};
 use serde_json::json;
+use tam_gen::command::{Failure, Output, interrupt, source};
 use tam_gen::export::{ExportOptions, Format, Manifest};
 
 use super::Outcome;
 use super::args::OverrideArgs;
-use super::failure::Failure;
 use super::generate::make;
-use super::output::Output;
-use super::summary::{duration, path_text};
-use super::{interrupt, source};
+use tam_gen::command::words::{duration, path_text};
 
 /// How long a file must be left alone before it is read: editors write in several steps, or replace the file.
 const SETTLED: Duration = Duration::from_millis(100);

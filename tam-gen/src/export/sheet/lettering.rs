@@ -1,4 +1,4 @@
-//! Text on a picture.
+//! Text on a picture, in the styles that all sheets share.
 
 use std::sync::LazyLock;
 
@@ -13,8 +13,8 @@ fn embedded(bytes: &'static [u8]) -> FontRef<'static> {
 }
 
 /// How a piece of text looks.
-#[derive(Clone, Copy)]
-pub(super) struct Style {
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
     font: &'static LazyLock<FontRef<'static>>,
     height_px: f32,
     colour: [u8; 3],
@@ -24,29 +24,29 @@ const DARK: [u8; 3] = [34, 34, 36];
 const MUTED: [u8; 3] = [104, 103, 100];
 
 /// The name of the map.
-pub(super) const TITLE: Style = Style { font: &UBUNTU, height_px: 36.0, colour: DARK };
+pub const TITLE: Style = Style { font: &UBUNTU, height_px: 36.0, colour: DARK };
 /// Its description.
-pub(super) const BODY: Style = Style { font: &UBUNTU, height_px: 19.0, colour: DARK };
+pub const BODY: Style = Style { font: &UBUNTU, height_px: 19.0, colour: DARK };
 /// Remarks at the foot.
-pub(super) const FOOT: Style = Style { font: &UBUNTU, height_px: 16.0, colour: MUTED };
+pub const FOOT: Style = Style { font: &UBUNTU, height_px: 16.0, colour: MUTED };
 /// Labels of columns and levels.
-pub(super) const LABEL: Style = Style { font: &HACK, height_px: 14.0, colour: DARK };
+pub const LABEL: Style = Style { font: &HACK, height_px: 14.0, colour: DARK };
 /// Figures.
-pub(super) const FIGURE: Style = Style { font: &HACK, height_px: 13.0, colour: MUTED };
+pub const FIGURE: Style = Style { font: &HACK, height_px: 13.0, colour: MUTED };
 
 impl Style {
     /// Distance of lines in pixels.
-    pub(super) fn line_px(self) -> u32 {
+    pub fn line_px(self) -> u32 {
         (self.height_px * 1.2).ceil() as u32
     }
 
     /// Width of a text in pixels.
-    pub(super) fn width_px(self, text: &str) -> u32 {
+    pub fn width_px(self, text: &str) -> u32 {
         self.glyphs(text).last().map_or(0, |(_, end)| end.ceil() as u32)
     }
 
     /// The text in lines of at most `width_px`, broken between words; a longer word stands alone.
-    pub(super) fn wrapped(self, text: &str, width_px: u32) -> Vec<String> {
+    pub fn wrapped(self, text: &str, width_px: u32) -> Vec<String> {
         let mut lines: Vec<String> = Vec::new();
         for word in text.split_whitespace() {
             match lines.last_mut() {
@@ -61,7 +61,7 @@ impl Style {
     }
 
     /// Draws a text whose line begins at the left and top given; what leaves the picture is cut off.
-    pub(super) fn draw(self, picture: &mut RgbImage, left: f32, top: f32, text: &str) {
+    pub fn draw(self, picture: &mut RgbImage, left: f32, top: f32, text: &str) {
         let scale = PxScale::from(self.height_px);
         let baseline = (top + self.font.as_scaled(scale).ascent()).round();
         let mut start = 0.0;
@@ -81,7 +81,7 @@ impl Style {
     }
 
     /// Draws a text centred at `middle`.
-    pub(super) fn draw_centred(self, picture: &mut RgbImage, middle: f32, top: f32, text: &str) {
+    pub fn draw_centred(self, picture: &mut RgbImage, middle: f32, top: f32, text: &str) {
         self.draw(picture, (middle - self.width_px(text) as f32 / 2.0).round(), top, text);
     }
 

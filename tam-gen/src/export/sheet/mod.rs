@@ -2,7 +2,7 @@
 
 mod gallery;
 mod layout;
-mod lettering;
+pub mod lettering;
 
 use image::{Rgb, RgbImage};
 
@@ -60,7 +60,8 @@ impl SheetOptions {
     }
 }
 
-const GROUND: Rgb<u8> = Rgb([231, 230, 227]);
+/// The ground that sheets stand on.
+pub const GROUND: Rgb<u8> = Rgb([231, 230, 227]);
 const FRAME: Rgb<u8> = Rgb([190, 188, 183]);
 
 /// All cells of a grid on one picture: columns across, lightest left; levels down, finest first.
@@ -145,8 +146,11 @@ fn reduced(ink: &[u8], size: u32, shown: u32) -> Vec<u8> {
     sums.into_iter().map(|sum| ((sum + area / 2) / area) as u8).collect()
 }
 
-/// A line of one pixel around a rectangle, outside it.
-fn frame(picture: &mut RgbImage, left: u32, top: u32, width: u32, height: u32) {
+/// Draws a line of one pixel around a rectangle, outside it, for which the picture must have room.
+///
+/// # Panics
+/// If the line leaves the picture.
+pub fn frame(picture: &mut RgbImage, left: u32, top: u32, width: u32, height: u32) {
     let (right, bottom) = (left + width, top + height);
     for x in left - 1..=right {
         picture.put_pixel(x, top - 1, FRAME);

@@ -2,12 +2,12 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::failure::Failure;
+use super::Failure;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// From now on, an interruption sets a flag instead of ending the process.
-pub(super) fn catch() -> &'static AtomicBool {
+pub fn catch() -> &'static AtomicBool {
     // Without a handler an interruption ends the process on the spot, which leaves at worst a temporary file.
     if let Err(error) = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed)) {
         tracing::warn!("interruptions cannot be caught: {error}");
@@ -16,11 +16,14 @@ pub(super) fn catch() -> &'static AtomicBool {
 }
 
 /// Whether there was one.
-pub(super) fn happened() -> bool {
+pub fn happened() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
 }
 
 /// Ends the work if there was one.
-pub(super) fn stop_if_happened() -> Result<(), Failure> {
+///
+/// # Errors
+/// [`Failure::Interrupted`].
+pub fn stop_if_happened() -> Result<(), Failure> {
     if happened() { Err(Failure::Interrupted) } else { Ok(()) }
 }

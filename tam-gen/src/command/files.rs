@@ -3,13 +3,16 @@
 use std::io::Write;
 use std::path::Path;
 
-use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ImageBuffer, PixelWithColorType};
 
-use super::failure::Failure;
+use super::Failure;
 
 /// Writes a file so that it is there complete or not at all; replaces one only with `force`.
-pub(super) fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
+///
+/// # Errors
+/// It cannot be written, or is there already.
+pub fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
     check_free(path, force)?;
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -29,7 +32,13 @@ pub(super) fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failur
 }
 
 /// Writes a picture as PNG, as small as it gets.
-pub(super) fn write_picture(path: &Path, picture: &RgbImage, force: bool) -> Result<(), Failure> {
+///
+/// # Errors
+/// As [`write`].
+pub fn write_picture<P>(path: &Path, picture: &ImageBuffer<P, Vec<u8>>, force: bool) -> Result<(), Failure>
+where
+    P: PixelWithColorType<Subpixel = u8>,
+{
     let mut png = Vec::new();
     let encoder = PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::Adaptive);
     picture.write_with_encoder(encoder).map_err(|error| Failure::Output {
@@ -40,7 +49,10 @@ pub(super) fn write_picture(path: &Path, picture: &RgbImage, force: bool) -> Res
 }
 
 /// Refuses a place that is taken, before work is put into what should go there.
-pub(super) fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
+///
+/// # Errors
+/// It is a folder, or is there already and not to be replaced.
+pub fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
     if path.is_dir() {
         return Err(Failure::Output {
             message: format!("{} is a folder", path.display()),
@@ -59,7 +71,7 @@ pub(super) fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
 /// A temporary file that, renamed, is as readable as any new file.
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".tam-gen-");
+    builder.prefix(".tam-");
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;

@@ -6,35 +6,44 @@ use std::process::ExitCode;
 
 use serde_json::{Value, json};
 
-use super::failure::Failure;
+use super::Failure;
 
 /// How results are printed.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Output {
+pub struct Output {
     /// One JSON object on standard output, and nothing else there.
-    pub(super) json: bool,
+    pub json: bool,
     /// Nothing but errors.
-    pub(super) quiet: bool,
+    pub quiet: bool,
 }
 
 impl Output {
     /// Prints for people, who may have asked for silence.
-    pub(super) fn say(&self, text: &str) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// Standard output takes nothing.
+    pub fn say(&self, text: &str) -> Result<(), Failure> {
         if self.json || self.quiet { Ok(()) } else { print(text) }
     }
 
     /// Prints what the command was asked to print: as `text` for people, as `value` for machines.
-    pub(super) fn result(&self, text: &str, value: impl FnOnce() -> Value) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// Standard output takes nothing.
+    pub fn result(&self, text: &str, value: impl FnOnce() -> Value) -> Result<(), Failure> {
         if self.json { self.object(&value()) } else { print(text) }
     }
 
     /// Prints an object for machines, if they asked for one.
-    pub(super) fn object(&self, value: &Value) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// Standard output takes nothing.
+    pub fn object(&self, value: &Value) -> Result<(), Failure> {
         if self.json { print(&format!("{value}\n")) } else { Ok(()) }
     }
 
     /// Reports a failure: for machines on standard output, for people on standard error.
-    pub(super) fn failure(&self, failure: &Failure) {
+    pub fn failure(&self, failure: &Failure) {
         if self.json {
             // If standard output cannot take it, the exit status still tells.
             let _ = print(&format!("{}\n", json!({ "error": failure.to_json() })));
@@ -44,7 +53,7 @@ impl Output {
     }
 
     /// Says something on standard error while work goes on.
-    pub(super) fn remark(&self, text: &str) {
+    pub fn remark(&self, text: &str) {
         if !self.quiet {
             let _ = writeln!(stderr(), "{text}");
         }
@@ -52,17 +61,19 @@ impl Output {
 }
 
 /// Whether standard error shows colours.
-pub(super) fn colours() -> bool {
+pub fn colours() -> bool {
     stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
-/// Prints on standard output. Whoever stopped listening is not told more; other trouble is reported.
-pub(super) fn print(text: &str) -> Result<(), Failure> {
+fn print(text: &str) -> Result<(), Failure> {
     print_bytes(text.as_bytes())
 }
 
-/// Prints bytes on standard output.
-pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+/// Prints bytes on standard output. Whoever stopped listening is not told more; other trouble is reported.
+///
+/// # Errors
+/// Standard output takes nothing.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -73,7 +84,7 @@ pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Ends a run whose arguments ask for help, or make no sense.
-pub(super) fn refused_arguments(error: &clap::Error) -> ExitCode {
+pub fn refused_arguments(error: &clap::Error) -> ExitCode {
     let json = std::env::args_os().skip(1).any(|arg| arg == "--json");
     if error.use_stderr() && json {
         let message = error.render().to_string();

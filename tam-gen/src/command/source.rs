@@ -2,12 +2,15 @@
 
 use std::path::Path;
 
-use tam_gen::Preset;
+use crate::Preset;
 
-use super::failure::Failure;
+use super::Failure;
 
 /// The preset of a name or path, and the name that its files get.
-pub(super) fn preset(named: &Path) -> Result<(String, Preset), Failure> {
+///
+/// # Errors
+/// There is none of that name, or it cannot be read, or makes no sense.
+pub fn preset(named: &Path) -> Result<(String, Preset), Failure> {
     let text = named.to_string_lossy();
     if let Some(preset) = Preset::named(&text) {
         return Ok((text.into_owned(), preset?));
@@ -20,13 +23,16 @@ pub(super) fn preset(named: &Path) -> Result<(String, Preset), Failure> {
 }
 
 /// Whether a source is a preset: one that comes with the tool, or a TOML file.
-pub(super) fn is_preset(named: &Path) -> bool {
+pub fn is_preset(named: &Path) -> bool {
     let known = Preset::embedded().iter().any(|(name, _)| Path::new(name) == named);
     known || named.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
 /// The name that a file's own products get.
-pub(super) fn stem(path: &Path) -> Result<String, Failure> {
+///
+/// # Errors
+/// The path ends in no name.
+pub fn stem(path: &Path) -> Result<String, Failure> {
     match path.file_stem().and_then(|stem| stem.to_str()) {
         Some(stem) => Ok(stem.to_owned()),
         None => Err(Failure::usage(
@@ -41,7 +47,7 @@ fn is_preset_path(named: &Path) -> bool {
 }
 
 /// No preset has this name.
-pub(super) fn unknown(name: &str) -> Failure {
+pub fn unknown(name: &str) -> Failure {
     let names = Preset::embedded().iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
     let meant = Preset::nearest_name(name).map_or(String::new(), |meant| format!("did you mean `{meant}`? "));
     Failure::usage(

@@ -1,18 +1,17 @@
 //! Why a command could not do its work.
 
 use std::path::Path;
-use std::process::ExitCode;
 
+use crate::GenerateError;
+use crate::export::ExportError;
+use crate::import::ImportError;
+use crate::preset::PresetError;
 use clap::builder::styling::{AnsiColor, Effects, Style};
 use serde_json::{Value, json};
-use tam_gen::GenerateError;
-use tam_gen::export::ExportError;
-use tam_gen::import::ImportError;
-use tam_gen::preset::PresetError;
 
 /// Why a command could not do its work; nothing was written.
 #[derive(Debug)]
-pub(super) enum Failure {
+pub enum Failure {
     /// The preset, or an option in place of its own, makes no sense.
     Preset(PresetError),
     /// No map can be made from the preset.
@@ -31,6 +30,15 @@ pub(super) enum Failure {
         /// The way out.
         help: Option<String>,
     },
+    /// Something else that the work needs is not as it should be.
+    Work {
+        /// What it is about, in one word for machines.
+        kind: &'static str,
+        /// What is wrong.
+        message: String,
+        /// The way out.
+        help: Option<String>,
+    },
     /// There is nowhere to write.
     Output {
         /// What is wrong.
@@ -43,20 +51,17 @@ pub(super) enum Failure {
 }
 
 impl Failure {
-    pub(super) fn usage(message: impl Into<String>, help: impl Into<String>) -> Self {
+    /// Arguments that make no sense, with the way out.
+    pub fn usage(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Usage { message: message.into(), help: Some(help.into()) }
     }
 
     /// A file that cannot be written.
-    pub(super) fn write(path: &Path, error: &std::io::Error) -> Self {
+    pub fn write(path: &Path, error: &std::io::Error) -> Self {
         Self::Output {
             message: format!("cannot write {}: {error}", path.display()),
             help: Some("check the space left and the permissions, or choose another place with -o".to_owned()),
         }
-    }
-
-    pub(super) fn exit_code(&self) -> ExitCode {
-        ExitCode::from(if matches!(self, Self::Interrupted) { 130 } else { 2 })
     }
 
     fn kind(&self) -> &'static str {
@@ -64,6 +69,7 @@ impl Failure {
             Self::Preset(_) | Self::Generate { .. } => "preset",
             Self::Source(_) => "source",
             Self::Usage { .. } => "usage",
+            Self::Work { kind, .. } => kind,
             Self::Output { .. } => "output",
             Self::Interrupted => "interrupted",
         }
@@ -74,20 +80,20 @@ impl Failure {
             Self::Preset(error) => in_a_line(error),
             Self::Generate { at, problem } => format!("{at}: {problem}"),
             Self::Source(error) => error.to_string(),
-            Self::Usage { message, .. } | Self::Output { message, .. } => message.clone(),
+            Self::Usage { message, .. } | Self::Work { message, .. } | Self::Output { message, .. } => message.clone(),
             Self::Interrupted => "interrupted; nothing was written".to_owned(),
         }
     }
 
     fn help(&self) -> Option<&str> {
         match self {
-            Self::Usage { help, .. } | Self::Output { help, .. } => help.as_deref(),
+            Self::Usage { help, .. } | Self::Work { help, .. } | Self::Output { help, .. } => help.as_deref(),
             _ => None,
         }
     }
 
     /// For people: one report with place, cause and way out.
-    pub(super) fn report(&self, coloured: bool) -> String {
+    pub fn report(&self, coloured: bool) -> String {
         if let Self::Preset(error) = self {
             return error.report(coloured);
         }
@@ -103,7 +109,7 @@ impl Failure {
     }
 
     /// For machines.
-    pub(super) fn to_json(&self) -> Value {
+    pub fn to_json(&self) -> Value {
         let mut error = json!({ "kind": self.kind(), "message": self.message() });
         if let Some(help) = self.help() {
             error["help"] = help.into();

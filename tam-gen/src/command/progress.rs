@@ -13,28 +13,31 @@ const PATIENCE: Duration = Duration::from_secs(1);
 const STEPS: u64 = 1000;
 
 /// A bar that stays hidden until the work turns out to be long.
-pub(super) struct Progress {
+pub struct Progress {
     bar: ProgressBar,
     started: Instant,
+    label: &'static str,
     wanted: bool,
     shown: Once,
 }
 
 impl Progress {
-    pub(super) fn new(quiet: bool) -> Self {
+    /// A bar for work of this name, on a terminal that wants to hear of it.
+    pub fn new(label: &'static str, quiet: bool) -> Self {
         let wanted = !quiet && std::io::stderr().is_terminal();
         let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
-        Self { bar, started: Instant::now(), wanted, shown: Once::new() }
+        Self { bar, started: Instant::now(), label, wanted, shown: Once::new() }
     }
 
     /// Moves the bar to the part done, `0.0 ..= 1.0`; never back.
-    pub(super) fn set(&self, part: f32) {
+    pub fn set(&self, part: f32) {
         if !self.wanted || self.started.elapsed() < PATIENCE {
             return;
         }
         self.shown.call_once(|| {
-            if let Ok(style) = ProgressStyle::with_template("generating {wide_bar} {percent:>3} % {eta:>4}") {
+            if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} % {eta:>4}") {
                 self.bar.set_style(style);
+                self.bar.set_message(self.label);
             }
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         });

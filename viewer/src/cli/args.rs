@@ -1,0 +1,70 @@
+//! The arguments of the command line, and their help.
+
+use clap::{Parser, Subcommand};
+use tam_gen::command::shell::{CompletionsArgs, ManArgs};
+use tam_gen::command::{Common, STYLES};
+
+const EXAMPLES: &str = "\
+Examples:
+  tam-viewer render                                   head.png: a head in pencil
+  tam-viewer render --mesh ./mine.obj --map engraving
+  tam-viewer compare --mesh torus-knot                all methods side by side, with what they cost
+  tam-viewer turntable --path light -o light.gif      the light goes around
+  tam-viewer meshes                                   meshes that need no file
+
+Exit status:
+  0    all is well
+  1    something the work needs is not as it should be: adapter, mesh, map, or the place to write
+  2    the arguments make no sense
+  130  interrupted: nothing was written";
+
+const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  tam-viewer completions bash > ~/.local/share/bash-completion/completions/tam-viewer
+  tam-viewer completions zsh > ~/.zfunc/_tam-viewer
+  tam-viewer completions fish > ~/.config/fish/completions/tam-viewer.fish";
+
+const MAN_EXAMPLES: &str = "\
+Examples:
+  tam-viewer man | man -l -                            read it
+  tam-viewer man -o ~/.local/share/man/man1            install the pages of all commands";
+
+/// Renders meshes with tonal art maps on the GPU, to pictures.
+#[derive(Debug, Parser)]
+#[command(name = "tam-viewer", version, styles = STYLES, after_help = EXAMPLES, max_term_width = 120)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) command: Command,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Draw a mesh to a picture
+    Render(Box<super::render::RenderArgs>),
+    /// Draw all methods side by side on one sheet, with what a frame costs
+    Compare(Box<super::compare::CompareArgs>),
+    /// Draw frames of a moving camera, light or mesh
+    Turntable(Box<super::turntable::TurntableArgs>),
+    /// List the sample meshes, or draw them all
+    Meshes(super::meshes::MeshesArgs),
+    /// List the graphics adapters
+    Adapters(super::adapters::AdaptersArgs),
+    /// Print completions for a shell
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write those of all commands
+    #[command(after_help = MAN_EXAMPLES)]
+    Man(ManArgs),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        <Cli as clap::CommandFactory>::command().debug_assert();
+    }
+}

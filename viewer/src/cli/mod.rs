@@ -1,0 +1,54 @@
+//! The command line: parse, turn into options, call the library.
+
+mod adapters;
+mod args;
+mod compare;
+mod meshes;
+mod object;
+mod parse;
+mod render;
+mod report;
+mod source;
+mod stage;
+mod turntable;
+mod view;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+use tam_gen::command::{Failure, Output, in_pool, refused_arguments, shell, start_log};
+
+use args::{Cli, Command};
+
+/// Runs the command that the process was started with.
+pub(crate) fn run() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return refused_arguments(&error),
+    };
+    let output = cli.common.output();
+    start_log(cli.common.verbose);
+    match in_pool(cli.common.threads, || dispatch(&cli.command, &output)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            output.failure(&failure);
+            ExitCode::from(match failure {
+                Failure::Interrupted => 130,
+                Failure::Usage { .. } => 2,
+                _ => 1,
+            })
+        }
+    }
+}
+
+fn dispatch(command: &Command, output: &Output) -> Result<(), Failure> {
+    match command {
+        Command::Render(args) => render::run(args, output),
+        Command::Compare(args) => compare::run(args, output),
+        Command::Turntable(args) => turntable::run(args, output),
+        Command::Meshes(args) => meshes::run(args, output),
+        Command::Adapters(args) => adapters::run(args, output),
+        Command::Completions(args) => shell::completions(Cli::command(), args, output),
+        Command::Man(args) => shell::man(Cli::command(), args, output),
+    }
+}

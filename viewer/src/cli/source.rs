@@ -1,0 +1,90 @@
+//! What the user named: meshes and maps.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use tam_gen::command::{Failure, Output, Progress, source};
+use tam_gen::import::{self, ImportOptions};
+use tam_gen::preset::nearest;
+use tam_gen::{Job, Preset};
+use tam_viewer::Method;
+use tam_viewer::maps::HatchMap;
+use tam_viewer::mesh::sample::Sample;
+use tam_viewer::mesh::{Loaded, load, prepare};
+
+use super::report;
+
+/// The mesh of a sample's name or of a file.
+pub(super) fn mesh(named: &Path, triangles: Option<u32>) -> Result<Loaded, Failure> {
+    let name = named.to_string_lossy();
+    if let Some(sample) = Sample::named(&name) {
+        let triangles = triangles.map_or(sample.default_triangles(), |triangles| triangles as usize);
+        return prepare(sample.build(triangles)).map_err(report::mesh);
+    }
+    let is_path = named.components().count() != 1 || named.extension().is_some() || named.exists();
+    if !is_path {
+        let names = Sample::ALL.map(Sample::name);
+        let meant = nearest(&name, names).map_or(String::new(), |meant| format!("did you mean `{meant}`? "));
+        return Err(Failure::usage(
+            format!("no mesh is called `{name}`"),
+            format!(
+                "{meant}the samples are {}; a mesh of your own is given as a file, such as ./mine.obj",
+                names.join(", ")
+            ),
+        ));
+    }
+    if triangles.is_some() {
+        return Err(Failure::usage(
+            "--triangles is for samples; a file has the triangles that it has",
+            "leave it out, or name a sample",
+        ));
+    }
+    load(named).map_err(report::mesh)
+}
+
+/// The map of a preset or file, with all that the methods draw with.
+pub(super) fn map(named: &Path, methods: &[Method], cancel: &AtomicBool, output: &Output) -> Result<HatchMap, Failure> {
+    let progress = Progress::new("generating", output.quiet || output.json);
+    let made = |part: f32| progress.set(part);
+    let job = Job { progress: Some(&made), cancel: Some(cancel), measure: None };
+    let is_name = named.components().count() == 1 && named.extension().is_none() && !named.exists();
+    let map = if source::is_preset(named) || is_name {
+        let (name, preset) = source::preset(named)?;
+        HatchMap::from_preset(&name, &preset, &job)?
+    } else {
+        read(named)?
+    };
+    if methods.contains(&Method::FineTone) {
+        let progress = Progress::new("finer tones", output.quiet || output.json);
+        let made = |part: f32| progress.set(part);
+        map.fine_with(&Job { progress: Some(&made), cancel: Some(cancel), measure: None })?;
+    }
+    Ok(map)
+}
+
+/// Reads a map, which must be one: a layer for each tone, with levels of detail.
+fn read(path: &Path) -> Result<HatchMap, Failure> {
+    let imported = import::read(path, &ImportOptions::default()).map_err(report::import)?;
+    let wrong = |what: &str| Failure::Work {
+        kind: "source",
+        message: format!("{} is no tonal art map: {what}", path.display()),
+        help: Some("give a preset, or a map as `tam-gen generate` writes it".to_owned()),
+    };
+    if imported.grid.columns() < 2 {
+        return Err(wrong("it has one layer, and a map has an array of them, one for each tone"));
+    }
+    if imported.grid.levels.len() < 2 {
+        return Err(wrong("it has no mip levels, which a map draws each on its own"));
+    }
+    Ok(HatchMap::from_import(&source::stem(path)?, imported))
+}
+
+/// Paper and ink of a map, in linear light, where its preset has them.
+pub(super) fn colours(map: &HatchMap) -> Option<([f32; 3], [f32; 3])> {
+    let Preset { colours, .. } = map.preset.as_ref()?;
+    let linear = |css: &str| {
+        let [r, g, b, _] = csscolorparser::parse(css).ok()?.to_linear_rgba();
+        Some([r, g, b])
+    };
+    Some((linear(&colours.paper)?, linear(&colours.ink)?))
+}
