@@ -6,6 +6,7 @@
 //! ```
 
 mod animation;
+pub mod deform;
 mod error;
 #[cfg(test)]
 mod invariants;
@@ -15,6 +16,7 @@ mod prepare;
 mod query;
 mod raw;
 mod report;
+pub mod sample;
 mod table;
 
 use std::ops::Range;
