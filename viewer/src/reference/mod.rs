@@ -95,6 +95,8 @@ pub struct Picture {
     pub colours: Vec<DVec4>,
     /// Share of the samples that show the mesh, 0 ..= 1.
     pub coverage: Vec<f64>,
+    /// Triangle of the mesh seen at the middle sample, or `NO_FACE`.
+    pub faces: Vec<u32>,
 }
 
 impl Reference {
@@ -173,7 +175,12 @@ impl Reference {
             })
             .collect();
         let (colours, coverage) = pixels.into_iter().unzip();
-        Ok(Picture { size, colours, coverage })
+        let seen = |i: usize| {
+            let [x, y] = [i % size[0] as usize, i / size[0] as usize].map(|at| at * samples + samples / 2);
+            rows[y][x].map_or(types::NO_FACE, |hit: Hit| triangles[hit.triangle as usize].face)
+        };
+        let faces = (0..size[0] as usize * size[1] as usize).map(seen).collect();
+        Ok(Picture { size, colours, coverage, faces })
     }
 
     /// The buffers that compute passes fill.
