@@ -155,8 +155,8 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     Difference { share: differing / pixels, mean: sum / pixels, outline: outline / f64::from(SIDE * SIDE) }
 }
 
-/// Whether fragments take derivatives of what comes from the faces' frames. Fragments that only help their neighbours read
-/// nothing from buffers on Mesa's software driver (22.3), so a difference to them is none.
+/// Whether fragments take derivatives of what comes from the faces' frames. Fragments that only help their neighbours
+/// read nothing from buffers on Mesa's software driver (22.3), so a difference to them is none.
 fn reads_frames_of_helpers(params: &RenderParams) -> bool {
     let derives = matches!(params.method, Method::StrokeMap | Method::Halftone) && params.form == Form::Hardened;
     derives && params.mapping == Mapping::Frames
@@ -165,14 +165,14 @@ fn reads_frames_of_helpers(params: &RenderParams) -> bool {
 /// Whether all four pixels of a pixel's quad show the same face.
 fn is_inside(faces: &[u32], i: usize) -> bool {
     let side = SIDE as usize;
-    let (x, y) = (i % side & !1, i / side & !1);
+    let (x, y) = (i % side / 2 * 2, i / side / 2 * 2);
     let first = y * side + x;
     [1, side, side + 1].iter().all(|step| faces[first + step] == faces[first])
 }
 
 /// Greatest share of pixels that differ, and greatest mean difference. Samplers weigh texels in steps of 1/256 and may
-/// round the result to 8 bits, which is below 3/255 nearly everywhere and 1/255 in the mean at most. A threshold makes of
-/// it up to 24 times as much at the edges of strokes, and only there.
+/// round the result to 8 bits, which is below 3/255 nearly everywhere and 1/255 in the mean at most. A threshold makes
+/// of it up to 24 times as much at the edges of strokes, and only there.
 fn bounds(params: &RenderParams) -> (f64, f64) {
     match params.method {
         Method::Phong => (0.0, 1e-6),

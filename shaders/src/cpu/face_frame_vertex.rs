@@ -1,5 +1,5 @@
-//! Twin of `face_frame_vertex.wgsl`: light-aligned frames per face with the work in the vertex stage. Suarez and others,
-//! "GPU real time hatching", 2013, algorithms 1 to 3.
+//! Twin of `face_frame_vertex.wgsl`: light-aligned frames per face with the work in the vertex stage. Suarez and
+//! others, "GPU real time hatching", 2013, algorithms 1 to 3.
 
 use glam::{DVec2, DVec3, DVec4};
 

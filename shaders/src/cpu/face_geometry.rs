@@ -1,5 +1,5 @@
-//! Twin of `face_geometry.wgsl`: normals and barycentric planes of all faces. Suarez and others, "GPU real time hatching",
-//! 2013, algorithm 1, first line.
+//! Twin of `face_geometry.wgsl`: normals and barycentric planes of all faces. Suarez and others, "GPU real time
+//! hatching", 2013, algorithm 1, first line.
 
 use glam::{DVec3, DVec4};
 

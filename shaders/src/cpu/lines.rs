@@ -97,7 +97,8 @@ pub fn end_world(scene: &Scene, mesh: &Mesh<'_>, vertex: u32) -> DVec3 {
     (scene.world_from_mesh * mesh.vertices[vertex as usize].position.extend(1.0)).truncate()
 }
 
-/// Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point itself.
+/// Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point
+/// itself.
 pub fn pulled_clip(scene: &Scene, style: &LineStyle, p_world: DVec3) -> DVec4 {
     let clip = scene.clip_from_world * p_world.extend(1.0);
     let depth = (p_world - scene.camera_world).dot(scene.camera_forward);

@@ -2,8 +2,8 @@
 //!
 //! The tree is that of `wgsl`: [`lib`] holds the shared pieces, a module beside it one pass each, and functions keep
 //! their names and their shape. What a shader reads from its bindings and constants, a twin is handed:
-//! [`Options`] for the constants of the pipeline, [`Scene`](lib::scene::Scene), [`Material`](lib::material::Material),
-//! [`MapImage`] and [`Mesh`](lib::mesh::Mesh), or all of them as [`Bindings`]. Derivatives come from a [`Quad`] of
+//! [`Options`] for the constants of the pipeline, [`Scene`], [`Material`],
+//! [`MapImage`] and [`Mesh`], or all of them as [`Bindings`]. Derivatives come from a [`Quad`] of
 //! neighbouring fragments, as on a GPU.
 
 pub mod builtin;

@@ -19,8 +19,8 @@ impl<T> Quad<T> {
 }
 
 impl<T: Copy + Sub<Output = T>> Quad<T> {
-    /// `dpdxFine`: right minus left, in the lane's row. WGSL leaves it to the GPU whether `dpdx` is that of the lane's row or
-    /// of the first row.
+    /// `dpdxFine`: right minus left, in the lane's row. WGSL leaves it to the GPU whether `dpdx` is that of the lane's
+    /// row or of the first row.
     pub fn dpdx(&self, lane: usize) -> T {
         self.0[lane | 1] - self.0[lane & 2]
     }

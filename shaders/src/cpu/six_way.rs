@@ -1,5 +1,5 @@
-//! Twin of `six_way.wgsl`: tone at the vertices, six columns blended per fragment. Praun and others, "Real-Time Hatching",
-//! 2001, section 5, and a student implementation of it.
+//! Twin of `six_way.wgsl`: tone at the vertices, six columns blended per fragment. Praun and others, "Real-Time
+//! Hatching", 2001, section 5, and a student implementation of it.
 
 use glam::{DVec2, DVec3, DVec4};
 

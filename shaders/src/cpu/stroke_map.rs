@@ -1,5 +1,5 @@
-//! Twin of `stroke_map.wgsl`: one sample and a threshold, or lines whose width follows the tone. Freudenberg, "Real-Time
-//! Stroke Textures", SIGGRAPH 2001 sketch.
+//! Twin of `stroke_map.wgsl`: one sample and a threshold, or lines whose width follows the tone. Freudenberg,
+//! "Real-Time Stroke Textures", SIGGRAPH 2001 sketch.
 
 use glam::{DVec2, DVec4};
 

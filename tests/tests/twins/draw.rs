@@ -68,8 +68,8 @@ impl Draw {
         DVec2::from([0, 1].map(|i| self.between(slot + i, -half, half)))
     }
 
-    /// Unit to 32 bits. One in four is an axis, one of the directions of [`LIGHT`](crate::setting::LIGHT), one across it, or
-    /// within 1e-4 of one of these.
+    /// Unit to 32 bits. One in four is an axis, one of the directions of [`LIGHT`](crate::setting::LIGHT), one across
+    /// it, or within 1e-4 of one of these.
     pub(crate) fn direction(&self, slot: u64) -> DVec3 {
         let z = self.between(slot, -1.0, 1.0);
         let (sin, cos) = (std::f64::consts::TAU * self.unit(slot + 1)).sin_cos();

@@ -96,8 +96,8 @@ impl Gpu {
             for (group, bindings) in &groups {
                 pass.set_bind_group(*group, bindings, &[]);
             }
-            // The triangle reaches far beyond the picture, but not beyond the clip volume: a clipped one would be cut in two,
-            // and loads by the fragments that help along the cut give nothing on some drivers.
+            // The triangle reaches far beyond the picture, but not beyond the clip volume: a clipped one would be cut
+            // in two, and loads by the fragments that help along the cut give nothing on some drivers.
             let side = 4.0 * SIDE as f32;
             pass.set_viewport(0.0, 0.0, side, side, 0.0, 1.0);
             pass.draw(0..3, 0..1);

@@ -53,8 +53,8 @@ pub(crate) struct Twin {
 }
 
 impl Setting {
-    /// Six uneven columns and one directional light; 64 even columns and a light of each kind; two columns, a mesh that is
-    /// moved, turned and stretched, and lights on both sides.
+    /// Six uneven columns and one directional light; 64 even columns and a light of each kind; two columns, a mesh that
+    /// is moved, turned and stretched, and lights on both sides.
     pub(crate) fn all() -> Vec<Self> {
         let directional = light(0, Vec3::ZERO, -light_direction(), 0.8, 1.0);
         let positional = light(1, Vec3::new(1.5, 2.0, 1.0), Vec3::X, 0.5, 1.0);
@@ -249,8 +249,8 @@ fn material(tones: &[f32]) -> types::Material {
     }
 }
 
-/// 16, 8 and 4 texels of noise, the hardest map to filter. Layer k holds columns k and k + 1 in its first two channels, as
-/// methods with many columns read it; there is no white column, so that every channel counts.
+/// 16, 8 and 4 texels of noise, the hardest map to filter. Layer k holds columns k and k + 1 in its first two channels,
+/// as methods with many columns read it; there is no white column, so that every channel counts.
 fn noise_map(seed: u64, columns: usize) -> MapImage {
     let level = |size: u32| {
         let noise = |column: usize, i: usize| {

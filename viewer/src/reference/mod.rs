@@ -5,7 +5,8 @@
 //! mesh, scene ─► vertices (twin) ─► triangles, pixel by pixel ─► fragments (twin) ─► mean of the samples
 //! ```
 //!
-//! Shading is by the twins of the shaders ([`tam_shaders::cpu`]), triangles are found here, and nothing of wgpu is used.
+//! Shading is by the twins of the shaders ([`tam_shaders::cpu`]), triangles are found here, and nothing of wgpu is
+//! used.
 
 mod maps;
 mod raster;
@@ -82,7 +83,8 @@ pub struct How {
     pub pass: Pass,
     /// Constants of its pipeline.
     pub options: Options,
-    /// Samples of a pixel in each direction, evenly spaced; 1 is the middle of the pixel, as a GPU without multisampling.
+    /// Samples of a pixel in each direction, evenly spaced; 1 is the middle of the pixel, as a GPU without
+    /// multisampling.
     pub samples: u32,
 }
 
@@ -115,10 +117,11 @@ impl Reference {
         }
     }
 
-    /// Renders a scene; the picture's size is the scene's viewport. The same on every machine and for any number of threads.
+    /// Renders a scene; the picture's size is the scene's viewport. The same on every machine and for any number of
+    /// threads.
     ///
-    /// # Errors
-    /// [`ReferenceError`]: the pass is none that shades surfaces, triangles that do not exist, or a picture without pixels.
+    /// # Errors [`ReferenceError`]: the pass is none that shades surfaces, triangles that do not exist, or a picture
+    /// without pixels.
     pub fn render(&self, scene: &types::Scene, draws: &[Draw<'_>], how: &How) -> Result<Picture, ReferenceError> {
         let shader = Shader::of(how.pass)?;
         let size = size_of(scene, how.samples)?;

@@ -7,8 +7,8 @@ use super::material::{Material, column_tone};
 use crate::cpu::builtin::mix;
 use crate::cpu::{Form, MapImage};
 
-/// Place of a darkness among the columns: 0 is white, `column_count` the darkest column, piecewise linear in the columns'
-/// own tones; in the literal form as if they were evenly spaced up to black.
+/// Place of a darkness among the columns: 0 is white, `column_count` the darkest column, piecewise linear in the
+/// columns' own tones; in the literal form as if they were evenly spaced up to black.
 pub fn column_coordinate(form: Form, material: &Material, d: f64) -> f64 {
     let n = material.column_count;
     if form == Form::Literal {

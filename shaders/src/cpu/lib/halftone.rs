@@ -1,4 +1,5 @@
-//! Twin of `lib/halftone.wgsl`: lines of variable width. Freudenberg, "Real-Time Stroke Textures", SIGGRAPH 2001 sketch.
+//! Twin of `lib/halftone.wgsl`: lines of variable width. Freudenberg, "Real-Time Stroke Textures", SIGGRAPH 2001
+//! sketch.
 
 use glam::DVec2;
 
@@ -20,7 +21,8 @@ pub fn line_ink(phase: f64, phase_per_px: f64, d: f64, f: f64) -> f64 {
     (line_coverage(x, widths.x, k) + line_coverage(1.0 - x, widths.y, k)).clamp(0.0, 1.0)
 }
 
-/// Lines across `t`, spaced between `line_period_px` and twice that on the screen; `t_per_px` is the slope of `t` there.
+/// Lines across `t`, spaced between `line_period_px` and twice that on the screen; `t_per_px` is the slope of `t`
+/// there.
 pub fn halftone_ink(t: f64, t_per_px: f64, line_period_px: f64, d: f64) -> f64 {
     let wanted = 1.0 / (t_per_px * line_period_px).max(1e-6);
     let octave = wanted.log2().floor();

@@ -1,5 +1,5 @@
-//! Twin of `lib/mapping.wgsl`: how the tile reaches the surface: the mesh's own uv, the light-aligned frame of the face,
-//! or three planes. Each gives up to three patterns with weights that sum to 1, and the footprint of a pixel.
+//! Twin of `lib/mapping.wgsl`: how the tile reaches the surface: the mesh's own uv, the light-aligned frame of the
+//! face, or three planes. Each gives up to three patterns with weights that sum to 1, and the footprint of a pixel.
 
 use glam::{DVec2, DVec3};
 

@@ -1,5 +1,5 @@
-//! Twin of `lib/octahedral.wgsl`: unit vectors in 32 bits. Cigolla and others, "A Survey of Efficient Representations for
-//! Independent Unit Vectors", JCGT 2014, section 3: the octahedral map. Off by 6.5e-5 rad at most.
+//! Twin of `lib/octahedral.wgsl`: unit vectors in 32 bits. Cigolla and others, "A Survey of Efficient Representations
+//! for Independent Unit Vectors", JCGT 2014, section 3: the octahedral map. Off by 6.5e-5 rad at most.
 
 use glam::{DVec2, DVec3};
 
@@ -47,8 +47,8 @@ mod tests {
             let n = DVec3::new(r * cos, r * sin, z);
             worst = worst.max(oct_decode(oct_encode(n)).cross(n).length());
         }
-        // Half a step of 1/32767 in x and y, hence their sum in z: sqrt(6) / 65534 along a face whose middle is 1/sqrt(3)
-        // from the centre.
+        // Half a step of 1/32767 in x and y, hence their sum in z: sqrt(6) / 65534 along a face whose middle is
+        // 1/sqrt(3) from the centre.
         assert!(worst < 18_f64.sqrt() / 65534.0, "{worst} rad");
         assert!(worst > 3e-5, "{worst} rad: too good for 16 bits");
     }

@@ -55,25 +55,39 @@ fn frame_rows() -> Vec<Row> {
             .twin(|_, case| three(frame_literal(case[0].truncate(), case[1].truncate()).tangent))
             .except_where(|_, case| case[0].truncate().cross(case[1].truncate()).length() < 0.02)
             .within(400.0 * U, 0.0),
-        // The frame and its half turn are the same thing with their shares exchanged, and no matter where the fixed frame has
-        // all: compared is what can be seen. Where the sine is 0.05, its square divides the round-offs of the tensor, by 400,
-        // and the cubic of the shares is 10 steep.
-        row("frame_hardened", Pass::StrokeMap, "vec4f(frame_hardened(a.xyz, b.xyz).bitangent * (frame_hardened(a.xyz, b.xyz).shares.x - frame_hardened(a.xyz, b.xyz).shares.y), frame_hardened(a.xyz, b.xyz).shares.z)", frame_inputs)
-            .twin(|b, case| {
-                let frame = frame_hardened(b.scene, case[0].truncate(), case[1].truncate());
-                (frame.bitangent * (frame.shares.x - frame.shares.y)).extend(frame.shares.z)
-            })
-            .except_where(spot_edge)
-            .within(2e-3, 0.0),
-        row("frame_hardened", Pass::StrokeMap, "vec4f(frame_hardened(a.xyz, b.xyz).bitangent * frame_hardened(a.xyz, b.xyz).bitangent.zxy * (1.0 - frame_hardened(a.xyz, b.xyz).shares.z), 0.0)", frame_inputs)
-            .twin(|b, case| {
-                let Frame { bitangent, shares, .. } = frame_hardened(b.scene, case[0].truncate(), case[1].truncate());
-                three(bitangent * DVec3::new(bitangent.z, bitangent.x, bitangent.y) * (1.0 - shares.z))
-            })
-            .except_where(spot_edge)
-            .within(2e-3, 0.0),
+        // The frame and its half turn are the same thing with their shares exchanged, and no matter where the fixed
+        // frame has all: compared is what can be seen. Where the sine is 0.05, its square divides the round-offs of the
+        // tensor, by 400, and the cubic of the shares is 10 steep.
+        row(
+            "frame_hardened",
+            Pass::StrokeMap,
+            "vec4f(frame_hardened(a.xyz, b.xyz).bitangent * (frame_hardened(a.xyz, b.xyz).shares.x - \
+             frame_hardened(a.xyz, b.xyz).shares.y), frame_hardened(a.xyz, b.xyz).shares.z)",
+            frame_inputs,
+        )
+        .twin(|b, case| {
+            let frame = frame_hardened(b.scene, case[0].truncate(), case[1].truncate());
+            (frame.bitangent * (frame.shares.x - frame.shares.y)).extend(frame.shares.z)
+        })
+        .except_where(spot_edge)
+        .within(2e-3, 0.0),
+        row(
+            "frame_hardened",
+            Pass::StrokeMap,
+            "vec4f(frame_hardened(a.xyz, b.xyz).bitangent * frame_hardened(a.xyz, \
+             b.xyz).bitangent.zxy * (1.0 - frame_hardened(a.xyz, b.xyz).shares.z), 0.0)",
+            frame_inputs,
+        )
+        .twin(|b, case| {
+            let Frame { bitangent, shares, .. } = frame_hardened(b.scene, case[0].truncate(), case[1].truncate());
+            three(bitangent * DVec3::new(bitangent.z, bitangent.x, bitangent.y) * (1.0 - shares.z))
+        })
+        .except_where(spot_edge)
+        .within(2e-3, 0.0),
         row("light_frame", Pass::StrokeMap, "vec4f(light_frame(a.xyz, b.xyz).bitangent, 0.0)", frame_inputs)
-            .twin(|b, case| three(light_frame(b.options.form, b.scene, case[0].truncate(), case[1].truncate()).bitangent))
+            .twin(|b, case| {
+                three(light_frame(b.options.form, b.scene, case[0].truncate(), case[1].truncate()).bitangent)
+            })
             .in_options([Options { form: Form::Literal, ..Options::default() }])
             // As at frame_literal; lights may be three units away.
             .except_where(|b, case| {
@@ -89,12 +103,17 @@ fn frame_rows() -> Vec<Row> {
         row("pack_shares", Pass::StrokeMap, "vec4f(unpack_shares(pack_shares(c.xyz)), 0.0)", directions)
             .twin(|_, case| three(unpack_shares(pack_shares(case[2].truncate()))))
             .within(1.5 / 1023.0, 0.0),
-        row("unpack_shares", Pass::StrokeMap, "vec4f(unpack_shares(u32(d.x) | (u32(d.y) << 10u) | (u32(d.z) << 20u)), 0.0)", directions)
-            .twin(|_, case| {
-                let [x, y, z] = case[3].truncate().to_array().map(|bits| bits as u32);
-                three(unpack_shares(x | y << 10 | z << 20))
-            })
-            .within(4.0 * U, 0.0),
+        row(
+            "unpack_shares",
+            Pass::StrokeMap,
+            "vec4f(unpack_shares(u32(d.x) | (u32(d.y) << 10u) | (u32(d.z) << 20u)), 0.0)",
+            directions,
+        )
+        .twin(|_, case| {
+            let [x, y, z] = case[3].truncate().to_array().map(|bits| bits as u32);
+            three(unpack_shares(x | y << 10 | z << 20))
+        })
+        .within(4.0 * U, 0.0),
     ]
 }
 
@@ -103,29 +122,49 @@ fn face_rows() -> Vec<Row> {
         // A matrix times a point: three products and sums of numbers below 2.
         row("face_corners", Pass::FaceGeometry, "vec4f(face_corners(u32(a.x))[u32(a.y)], 0.0)", faces)
             .twin(|b, case| {
-                let corners = face_corners(b.options.form, b.scene, b.mesh.vertices, b.mesh.indices, case[0].x as usize);
+                let corners =
+                    face_corners(b.options.form, b.scene, b.mesh.vertices, b.mesh.indices, case[0].x as usize);
                 three(corners[case[0].y as usize])
             })
             .in_both_forms()
             .within(16.0 * U, 0.0),
         // Differences below 3, products below 9.
-        row("area_vector", Pass::FaceGeometry, "vec4f(area_vector(array<vec3f, 3>(a.xyz, b.xyz, c.xyz)), 0.0)", triangles)
-            .twin(|_, case| three(area_vector(&corners(case))))
-            .within(64.0 * U, 0.0),
+        row(
+            "area_vector",
+            Pass::FaceGeometry,
+            "vec4f(area_vector(array<vec3f, 3>(a.xyz, b.xyz, c.xyz)), 0.0)",
+            triangles,
+        )
+        .twin(|_, case| three(area_vector(&corners(case))))
+        .within(64.0 * U, 0.0),
         // The areas are 0.01 of the products or more, or nothing.
-        row("face_normal", Pass::FaceGeometry, "face_normal(array<vec3f, 3>(a.xyz, b.xyz, c.xyz), area_vector(array<vec3f, 3>(a.xyz, b.xyz, c.xyz)))", triangles)
-            .twin(|b, case| face_geometry::face_normal(b.options.form, &corners(case), area_vector(&corners(case))))
-            .in_both_forms()
-            .except_where(|b, case| {
-                let area = area_vector(&corners(case)).length();
-                area < 0.05 && (area > 0.0 || b.options.form == Form::Literal)
-            })
-            .within(4e3 * U, 0.0),
+        row(
+            "face_normal",
+            Pass::FaceGeometry,
+            "face_normal(array<vec3f, 3>(a.xyz, b.xyz, c.xyz), area_vector(array<vec3f, 3>(a.xyz, \
+             b.xyz, c.xyz)))",
+            triangles,
+        )
+        .twin(|b, case| face_geometry::face_normal(b.options.form, &corners(case), area_vector(&corners(case))))
+        .in_both_forms()
+        .except_where(|b, case| {
+            let area = area_vector(&corners(case)).length();
+            area < 0.05 && (area > 0.0 || b.options.form == Form::Literal)
+        })
+        .within(4e3 * U, 0.0),
         // The area as above, squared below the line.
-        row("barycentric_planes", Pass::FaceGeometry, "barycentric_planes(array<vec3f, 3>(a.xyz, b.xyz, c.xyz), area_vector(array<vec3f, 3>(a.xyz, b.xyz, c.xyz)))[u32(d.x)]", triangles)
-            .twin(|_, case| face_geometry::barycentric_planes(&corners(case), area_vector(&corners(case)))[case[3].x as usize])
-            .except_where(|_, case| area_vector(&corners(case)).length() < 0.1)
-            .within(8e3 * U, 8e3 * U),
+        row(
+            "barycentric_planes",
+            Pass::FaceGeometry,
+            "barycentric_planes(array<vec3f, 3>(a.xyz, b.xyz, c.xyz), area_vector(array<vec3f, \
+             3>(a.xyz, b.xyz, c.xyz)))[u32(d.x)]",
+            triangles,
+        )
+        .twin(|_, case| {
+            face_geometry::barycentric_planes(&corners(case), area_vector(&corners(case)))[case[3].x as usize]
+        })
+        .except_where(|_, case| area_vector(&corners(case)).length() < 0.1)
+        .within(8e3 * U, 8e3 * U),
         row("lit_normal", Pass::FaceFrame, "vec4f(lit_normal(u32(a.x), a.y > 0.0), 0.0)", faces)
             .twin(|b, case| three(face_frame::lit_normal(b, case[0].x as usize, case[0].y > 0.0)))
             .in_both_forms()
@@ -133,13 +172,18 @@ fn face_rows() -> Vec<Row> {
         row("corner_world", Pass::FaceFrameVertex, "vec4f(corner_world(u32(a.z)), 0.0)", faces)
             .twin(|b, case| three(face_frame_vertex::corner_world(b, case[0].z as u32)))
             .within(16.0 * U, 0.0),
-        row("hatch", Pass::FaceFrameVertex, "vec4f(hatch(u32(a.x), b.xyz).st, 0.0, hatch(u32(a.x), b.xyz).normal.w)", faces)
-            .twin(|b, case| {
-                let hatch = face_frame_vertex::hatch(b, case[0].x as usize, case[1].truncate());
-                hatch.st.extend(0.0).extend(hatch.normal.w)
-            })
-            .in_options([Options { frames: Frames::Fetched, ..Options::default() }])
-            .within(16.0 * U, 0.0),
+        row(
+            "hatch",
+            Pass::FaceFrameVertex,
+            "vec4f(hatch(u32(a.x), b.xyz).st, 0.0, hatch(u32(a.x), b.xyz).normal.w)",
+            faces,
+        )
+        .twin(|b, case| {
+            let hatch = face_frame_vertex::hatch(b, case[0].x as usize, case[1].truncate());
+            hatch.st.extend(0.0).extend(hatch.normal.w)
+        })
+        .in_options([Options { frames: Frames::Fetched, ..Options::default() }])
+        .within(16.0 * U, 0.0),
         row("hatch", Pass::FaceFrameVertex, "hatch(u32(a.x), b.xyz).normal", faces)
             .twin(|b, case| face_frame_vertex::hatch(b, case[0].x as usize, case[1].truncate()).normal)
             .in_options([Frames::Here, Frames::Fetched].map(|frames| Options { frames, ..Options::default() }))
@@ -153,7 +197,8 @@ fn face_rows() -> Vec<Row> {
                 let corners: [DVec3; 3] =
                     std::array::from_fn(|k| face_frame_vertex::corner_world(b, b.mesh.indices[3 * face + k]));
                 let n = area_vector(&corners).normalize_or_zero();
-                n == DVec3::ZERO || frame_hardened(b.scene, n, corners.into_iter().sum::<DVec3>() / 3.0).shares.z > 0.999
+                n == DVec3::ZERO
+                    || frame_hardened(b.scene, n, corners.into_iter().sum::<DVec3>() / 3.0).shares.z > 0.999
             })
             .within(2e-3, 0.0),
     ]
@@ -166,41 +211,59 @@ fn blend_rows() -> Vec<Row> {
             .in_both_forms()
             .within(4.0 * U, 0.0),
         // Three samples at most, weights of the sum 1; a tone off by a power's error (see darkness) among 64 columns.
-        row("contributed_ink", Pass::FaceFrame, "vec4f(contributed_ink(case_point(a, b, c, d), b.xyz, frame_patterns(a.xyz, b.xyz, face_frames[u32(d.z)]), c.w), 0.0, 0.0, 0.0)", any_point)
-            .twin(|b, case| {
-                let point = point(case);
-                let frame = &b.mesh.face_frames[point.face];
-                let patterns = frame_patterns(b.material, point.p_world, point.normal, frame);
-                one(contributed_ink(b, &point, point.normal, &patterns, case[2].w))
-            })
-            .in_both_forms()
-            .except_where(|b, case| grazing(b, case) || between_columns(b, case, case[1].truncate()))
-            .within(SAMPLED + 64.0 * 1e-4, 0.0),
-        row("face_ink", Pass::FaceFrame, "vec4f(face_ink(case_point(a, b, c, d), a.xyz, u32(d.z), d.w > 0.5, c.w), 0.0, 0.0, 0.0)", any_point)
-            .twin(|b, case| {
-                let point = point(case);
-                one(face_frame::face_ink(b, &point, point.p_world, point.face, case[3].w > 0.5, case[2].w))
-            })
-            .in_both_forms()
-            .except_where(|b, case| {
-                let n = face_frame::lit_normal(b, case[3].z as usize, case[3].w > 0.5);
-                grazing(b, &[case[0], n.extend(0.0), case[2], case[3]]) || between_columns(b, case, n)
-            })
-            .within(SAMPLED + 64.0 * 1e-4, 0.0),
-        row("hatch_ink", Pass::FaceFrameVertex, "vec4f(hatch_ink(case_point(a, b, c, d), oct_encode(b.xyz), d.xy, c.w, d.w > 0.5), 0.0, 0.0, 0.0)", any_point)
-            .twin(|b, case| {
-                let code = oct_encode(case[1].truncate());
-                one(face_frame_vertex::hatch_ink(b, &point(case), code, xy(case[3]), case[2].w, case[3].w > 0.5))
-            })
-            // A step of the code turns the normal by 6e-5 where rounding decides, and a light may then graze or not.
-            .except_where(|b, case| {
-                let n = case[1].truncate();
-                let near = |l: DVec3| n.dot(l).abs() < 1e-4;
-                b.scene.lights.iter().any(|light| near(to_light(light, case[0].truncate())))
-                    || grazing(b, case)
-                    || between_columns(b, case, n) || between_columns(b, case, -n)
-            })
-            .within(SAMPLED + 64.0 * 3e-4, 0.0),
+        row(
+            "contributed_ink",
+            Pass::FaceFrame,
+            "vec4f(contributed_ink(case_point(a, b, c, d), b.xyz, frame_patterns(a.xyz, b.xyz, \
+             face_frames[u32(d.z)]), c.w), 0.0, 0.0, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| {
+            let point = point(case);
+            let frame = &b.mesh.face_frames[point.face];
+            let patterns = frame_patterns(b.material, point.p_world, point.normal, frame);
+            one(contributed_ink(b, &point, point.normal, &patterns, case[2].w))
+        })
+        .in_both_forms()
+        .except_where(|b, case| grazing(b, case) || between_columns(b, case, case[1].truncate()))
+        .within(SAMPLED + 64.0 * 1e-4, 0.0),
+        row(
+            "face_ink",
+            Pass::FaceFrame,
+            "vec4f(face_ink(case_point(a, b, c, d), a.xyz, u32(d.z), d.w > 0.5, c.w), 0.0, 0.0, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| {
+            let point = point(case);
+            one(face_frame::face_ink(b, &point, point.p_world, point.face, case[3].w > 0.5, case[2].w))
+        })
+        .in_both_forms()
+        .except_where(|b, case| {
+            let n = face_frame::lit_normal(b, case[3].z as usize, case[3].w > 0.5);
+            grazing(b, &[case[0], n.extend(0.0), case[2], case[3]]) || between_columns(b, case, n)
+        })
+        .within(SAMPLED + 64.0 * 1e-4, 0.0),
+        row(
+            "hatch_ink",
+            Pass::FaceFrameVertex,
+            "vec4f(hatch_ink(case_point(a, b, c, d), oct_encode(b.xyz), d.xy, c.w, d.w > 0.5), 0.0, \
+             0.0, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| {
+            let code = oct_encode(case[1].truncate());
+            one(face_frame_vertex::hatch_ink(b, &point(case), code, xy(case[3]), case[2].w, case[3].w > 0.5))
+        })
+        // A step of the code turns the normal by 6e-5 where rounding decides, and a light may then graze or not.
+        .except_where(|b, case| {
+            let n = case[1].truncate();
+            let near = |l: DVec3| n.dot(l).abs() < 1e-4;
+            b.scene.lights.iter().any(|light| near(to_light(light, case[0].truncate())))
+                || grazing(b, case)
+                || between_columns(b, case, n)
+                || between_columns(b, case, -n)
+        })
+        .within(SAMPLED + 64.0 * 3e-4, 0.0),
     ]
 }
 

@@ -16,17 +16,22 @@ use super::{one, two, xy};
 use crate::draw::{Case, Draw, OWN};
 use crate::row::{Row, U, row};
 
-/// Samplers weigh texels, and levels, in steps of 1/256: three weights of a map that runs from 0 to 1 between texels; and
-/// each of the three mixes may round to 8 bits.
+/// Samplers weigh texels, and levels, in steps of 1/256: three weights of a map that runs from 0 to 1 between texels;
+/// and each of the three mixes may round to 8 bits.
 pub(crate) const SAMPLED: f64 = 3.0 / 256.0 + 3.0 / 510.0;
 
 pub(crate) fn rows() -> Vec<Row> {
     let with = |form, blend, pattern| Options { form, blend, pattern, ..Options::default() };
     vec![
-        row("distribution_entry", Pass::StrokeMap, "vec4f(distribution_entry(i32(a.x), i32(a.y)), 0.0, 0.0, 0.0)", |draw| {
-            let entry = DVec4::new(draw.pick(OWN, 5) as f64, draw.pick(OWN + 1, 9) as f64, 0.0, 0.0);
-            [entry, DVec4::ZERO, DVec4::ZERO, DVec4::ZERO]
-        })
+        row(
+            "distribution_entry",
+            Pass::StrokeMap,
+            "vec4f(distribution_entry(i32(a.x), i32(a.y)), 0.0, 0.0, 0.0)",
+            |draw| {
+                let entry = DVec4::new(draw.pick(OWN, 5) as f64, draw.pick(OWN + 1, 9) as f64, 0.0, 0.0);
+                [entry, DVec4::ZERO, DVec4::ZERO, DVec4::ZERO]
+            },
+        )
         .twin(|b, case| one(distribution_entry(b.distribution, case[0].x as usize, case[0].y as usize)))
         .within(1e-30, 0.0),
         // A place among eight intervals is off by 8 round-offs, and rows rise by less than 8 per unit.
@@ -37,16 +42,26 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|_, case| one(fract_of(case[0].x, case[0].y as usize)))
             .within(2.0 * U, 0.0),
         // Where the ramp is shortest, 1e-4, half a round-off of the difference counts 5e3 times.
-        row("threshold_centred", Pass::StrokeMap, "vec4f(threshold_centred(a.x, a.z, a.w), 0.0, 0.0, 0.0)", tone_and_level)
-            .twin(|_, case| one(threshold_centred(case[0].x, case[0].z, case[0].w)))
-            .except_where(|_, case| {
-                let ramp = case[0].x.min(1.0 - case[0].x);
-                (ramp - 1e-4).abs() < U
-            })
-            .within(1.2e4 * U, 0.0),
-        row("threshold_one_sided", Pass::StrokeMap, "vec4f(threshold_one_sided(a.x, a.z, b.x), 0.0, 0.0, 0.0)", tone_and_level)
-            .twin(|_, case| one(threshold_one_sided(case[0].x, case[0].z, case[1].x)))
-            .within(16.0 * U, 2.0 * U),
+        row(
+            "threshold_centred",
+            Pass::StrokeMap,
+            "vec4f(threshold_centred(a.x, a.z, a.w), 0.0, 0.0, 0.0)",
+            tone_and_level,
+        )
+        .twin(|_, case| one(threshold_centred(case[0].x, case[0].z, case[0].w)))
+        .except_where(|_, case| {
+            let ramp = case[0].x.min(1.0 - case[0].x);
+            (ramp - 1e-4).abs() < U
+        })
+        .within(1.2e4 * U, 0.0),
+        row(
+            "threshold_one_sided",
+            Pass::StrokeMap,
+            "vec4f(threshold_one_sided(a.x, a.z, b.x), 0.0, 0.0, 0.0)",
+            tone_and_level,
+        )
+        .twin(|_, case| one(threshold_one_sided(case[0].x, case[0].z, case[1].x)))
+        .within(16.0 * U, 2.0 * U),
         row("line_widths", Pass::StrokeMap, "vec4f(line_widths(a.x, a.z), 0.0, 0.0)", tone_and_level)
             .twin(|_, case| two(line_widths(case[0].x, case[0].z)))
             .within(4.0 * U, 0.0),
@@ -72,15 +87,27 @@ pub(crate) fn rows() -> Vec<Row> {
         // Twice the round-off of a phase of 400.
         .within(800.0 * U, 0.0),
         // The darker of the two columns weighs x: the sampler's error and two round-offs.
-        row("column_ink", Pass::FineTone, "vec4f(column_ink(c.xy, a.y, min(c.z, f32(material.column_count))), 0.0, 0.0, 0.0)", tone_and_level)
-            .twin(|b, case| one(column_ink(b.material, b.map, xy(case[2]), case[0].y, case[2].z.min(b.material.column_count.into()))))
-            .within(SAMPLED, 0.0),
-        row("column_weights", Pass::SixWay, "vec4f(column_weights(c.z).light, column_weights(c.z).dark.x)", tone_and_level)
-            .twin(|_, case| {
-                let weights = six_way::column_weights(case[2].z);
-                weights.light.extend(weights.dark.x)
-            })
-            .within(8.0 * U, 0.0),
+        row(
+            "column_ink",
+            Pass::FineTone,
+            "vec4f(column_ink(c.xy, a.y, min(c.z, f32(material.column_count))), 0.0, 0.0, 0.0)",
+            tone_and_level,
+        )
+        .twin(|b, case| {
+            one(column_ink(b.material, b.map, xy(case[2]), case[0].y, case[2].z.min(b.material.column_count.into())))
+        })
+        .within(SAMPLED, 0.0),
+        row(
+            "column_weights",
+            Pass::SixWay,
+            "vec4f(column_weights(c.z).light, column_weights(c.z).dark.x)",
+            tone_and_level,
+        )
+        .twin(|_, case| {
+            let weights = six_way::column_weights(case[2].z);
+            weights.light.extend(weights.dark.x)
+        })
+        .within(8.0 * U, 0.0),
         row("column_weights", Pass::SixWay, "vec4f(column_weights(c.z).dark, 0.0)", tone_and_level)
             .twin(|_, case| six_way::column_weights(case[2].z).dark.extend(0.0))
             .within(8.0 * U, 0.0),
@@ -97,8 +124,9 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|b, case| one(fine_tone::pattern_ink(b, xy(case[2]), case[1].w, case[0].z)))
             .in_both_forms()
             .within(SAMPLED + 1e-4, 0.0),
-        // Thresholds off by a sample's error, stretched by the table (8 at most between its first entries, 3 elsewhere), by the
-        // slope of 24 and by the difference to three other samples. So tones are compared where the slope is small.
+        // Thresholds off by a sample's error, stretched by the table (8 at most between its first entries, 3
+        // elsewhere), by the slope of 24 and by the difference to three other samples. So tones are compared where the
+        // slope is small.
         row("pattern_ink", Pass::StrokeMap, "vec4f(pattern_ink(c.xy, b.w, a.x), 0.0, 0.0, 0.0)", smooth_thresholds)
             .quad_twin(|b, quad, lane| {
                 let at = quad.map(|case| Sampled { uv: xy(case[2]), tiles_per_px: case[1].w });
@@ -116,25 +144,32 @@ pub(crate) fn rows() -> Vec<Row> {
             })
             .within(24.0 * 3.0 * SAMPLED, 0.0),
         // Three samples, one inside the other's rest: their errors add up; the sum of weights is 1.
-        row("blended_ink", Pass::FineTone, "vec4f(blended_ink(Mapped(Pattern(a.xy, d.x), Pattern(b.xy, d.y), Pattern(c.xy, d.z), a.z), a.w), 0.0, 0.0, 0.0)", patterns)
-            .twin(|b, case| {
-                let pattern = |k: usize| Pattern { uv: xy(case[k]), weight: case[3][k] };
-                let mapped = Mapped { patterns: [pattern(0), pattern(1), pattern(2)], tiles_per_px: case[0].z };
-                one(blended_ink(b.options, &mapped, case[0].w, |i, d| {
-                    fine_tone::pattern_ink(b, mapped.patterns[i].uv, mapped.tiles_per_px, d)
-                }))
-            })
-            .in_options([
-                Options::default(),
-                Options { mapping: Mapping::Triplanar, ..Options::default() },
-                Options { mapping: Mapping::Triplanar, blend: Blend::Linear, ..Options::default() },
-                Options { mapping: Mapping::Frames, ..Options::default() },
-            ])
-            .within(3.0 * SAMPLED + 1e-4, 0.0),
+        row(
+            "blended_ink",
+            Pass::FineTone,
+            "vec4f(blended_ink(Mapped(Pattern(a.xy, d.x), Pattern(b.xy, d.y), Pattern(c.xy, d.z), \
+             a.z), a.w), 0.0, 0.0, 0.0)",
+            patterns,
+        )
+        .twin(|b, case| {
+            let pattern = |k: usize| Pattern { uv: xy(case[k]), weight: case[3][k] };
+            let mapped = Mapped { patterns: [pattern(0), pattern(1), pattern(2)], tiles_per_px: case[0].z };
+            one(blended_ink(b.options, &mapped, case[0].w, |i, d| {
+                fine_tone::pattern_ink(b, mapped.patterns[i].uv, mapped.tiles_per_px, d)
+            }))
+        })
+        .in_options([
+            Options::default(),
+            Options { mapping: Mapping::Triplanar, ..Options::default() },
+            Options { mapping: Mapping::Triplanar, blend: Blend::Linear, ..Options::default() },
+            Options { mapping: Mapping::Frames, ..Options::default() },
+        ])
+        .within(3.0 * SAMPLED + 1e-4, 0.0),
     ]
 }
 
-/// Tone, level, threshold and its change per pixel; slope, phase and its change; place on the tile and among six columns.
+/// Tone, level, threshold and its change per pixel; slope, phase and its change; place on the tile and among six
+/// columns.
 fn tone_and_level(draw: &Draw) -> Case {
     let per_px = if draw.pick(OWN + 9, 8) == 0 { 0.0 } else { draw.scale(OWN + 10, 1e-3, 2.0) };
     let level =

@@ -36,21 +36,38 @@ fn surface_rows() -> Vec<Row> {
             .twin(|b, case| two(surface_vertex(b, case[0].x as u32).uv))
             .within(1e-30, 0.0),
         // A distance of 6, then unit vectors.
-        row("surface_point", Pass::Phong, "vec4f(surface_point(FragmentIn(a.xyz, b.xyz * b.w, d.xy, u32(d.z)), d.w > 0.5).normal, surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).depth)", fragments)
-            .twin(|b, case| {
-                let of = |scale: f64, front| surface_point(b.scene, b.material, &input(case, scale), front);
-                of(case[1].w, case[3].w > 0.5).normal.extend(of(1.0, true).depth)
-            })
-            .within(32.0 * U, 0.0),
-        row("surface_point", Pass::Phong, "vec4f(surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).view, surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).uv.y)", fragments)
-            .twin(|b, case| {
-                let point = surface_point(b.scene, b.material, &input(case, 1.0), true);
-                point.view.extend(point.uv.y)
-            })
-            .within(16.0 * U, 0.0),
-        row("face_of", Pass::Phong, "vec4f(f32(face_of(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)))), 0.0, 0.0, 0.0)", fragments)
-            .twin(|b, case| one(face_of(b.material, &input(case, 1.0)) as f64))
-            .within(1e-30, 0.0),
+        row(
+            "surface_point",
+            Pass::Phong,
+            "vec4f(surface_point(FragmentIn(a.xyz, b.xyz * b.w, d.xy, u32(d.z)), d.w > 0.5).normal, \
+             surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).depth)",
+            fragments,
+        )
+        .twin(|b, case| {
+            let of = |scale: f64, front| surface_point(b.scene, b.material, &input(case, scale), front);
+            of(case[1].w, case[3].w > 0.5).normal.extend(of(1.0, true).depth)
+        })
+        .within(32.0 * U, 0.0),
+        row(
+            "surface_point",
+            Pass::Phong,
+            "vec4f(surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).view, \
+             surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).uv.y)",
+            fragments,
+        )
+        .twin(|b, case| {
+            let point = surface_point(b.scene, b.material, &input(case, 1.0), true);
+            point.view.extend(point.uv.y)
+        })
+        .within(16.0 * U, 0.0),
+        row(
+            "face_of",
+            Pass::Phong,
+            "vec4f(f32(face_of(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)))), 0.0, 0.0, 0.0)",
+            fragments,
+        )
+        .twin(|b, case| one(face_of(b.material, &input(case, 1.0)) as f64))
+        .within(1e-30, 0.0),
         row("drawn", Pass::Phong, "drawn(d.w)", fragments)
             .twin(|b, case| drawn(b.scene, b.material, case[3].w))
             .within(4.0 * U, 0.0),
@@ -72,21 +89,32 @@ fn mapping_rows() -> Vec<Row> {
             .in_both_forms()
             .within(64.0 * U, 0.0),
         // Round-offs of uv, below 4; a difference of them.
-        row("map_uv", Pass::StrokeMap, "vec4f(map_uv(case_point(a, b, c, d)).a.uv, map_uv(case_point(a, b, c, d)).a.weight, map_uv(case_point(a, b, c, d)).tiles_per_px)", smooth_point)
-            .quad_twin(|b, quad, lane| {
-                let mapped = map_uv(b.material, &quad.map(point), lane);
-                patterned(&mapped, 0).with_w(mapped.tiles_per_px)
-            })
-            .within(32.0 * U, 0.0),
-        row("frame_patterns", Pass::StrokeMap, "patterned(frame_patterns(a.xyz, b.xyz, face_frames[u32(d.z)])[u32(d.w * 2.99)])", any_point)
-            .twin(|b, case| {
-                let frame = &b.mesh.face_frames[case[3].z as usize];
-                let patterns = frame_patterns(b.material, case[0].truncate(), case[1].truncate(), frame);
-                patterned(&Mapped { patterns, tiles_per_px: 0.0 }, (case[3].w * 2.99) as usize)
-            })
-            .except_where(|_, case| (case[3].w * 2.99).fract() < 1e-5)
-            // As at map_uv.
-            .within(64.0 * U, 0.0),
+        row(
+            "map_uv",
+            Pass::StrokeMap,
+            "vec4f(map_uv(case_point(a, b, c, d)).a.uv, map_uv(case_point(a, b, c, d)).a.weight, \
+             map_uv(case_point(a, b, c, d)).tiles_per_px)",
+            smooth_point,
+        )
+        .quad_twin(|b, quad, lane| {
+            let mapped = map_uv(b.material, &quad.map(point), lane);
+            patterned(&mapped, 0).with_w(mapped.tiles_per_px)
+        })
+        .within(32.0 * U, 0.0),
+        row(
+            "frame_patterns",
+            Pass::StrokeMap,
+            "patterned(frame_patterns(a.xyz, b.xyz, face_frames[u32(d.z)])[u32(d.w * 2.99)])",
+            any_point,
+        )
+        .twin(|b, case| {
+            let frame = &b.mesh.face_frames[case[3].z as usize];
+            let patterns = frame_patterns(b.material, case[0].truncate(), case[1].truncate(), frame);
+            patterned(&Mapped { patterns, tiles_per_px: 0.0 }, (case[3].w * 2.99) as usize)
+        })
+        .except_where(|_, case| (case[3].w * 2.99).fract() < 1e-5)
+        // As at map_uv.
+        .within(64.0 * U, 0.0),
         row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).a)", any_point)
             .twin(|b, case| patterned(&map_frames(b, &point(case)), 0))
             .in_both_forms()
@@ -109,17 +137,28 @@ fn mapping_rows() -> Vec<Row> {
         row("map_triplanar", Pass::StrokeMap, "patterned(map_triplanar(case_point(a, b, c, d)).c)", any_point)
             .twin(|b, case| patterned(&map_triplanar(b.options.form, b.scene, b.material, &point(case)), 2))
             .within(1e-4, 0.0),
-        row("map_surface", Pass::StrokeMap, "vec4f(map_surface(case_point(a, b, c, d)).a.uv, map_surface(case_point(a, b, c, d)).a.weight, map_surface(case_point(a, b, c, d)).tiles_per_px)", smooth_point)
-            .quad_twin(|b, quad, lane| {
-                let mapped = map_surface(b, &quad.map(point), lane);
-                patterned(&mapped, 0).with_w(mapped.tiles_per_px)
-            })
-            .in_options(all_mappings())
-            .within(1e-4, 0.0),
-        row("pattern_count", Pass::StrokeMap, "vec4f(f32(pattern_count(map_frames(case_point(a, b, c, d)))), 0.0, 0.0, 0.0)", any_point)
-            .twin(|b, case| one(pattern_count(b.options.mapping, &map_frames(b, &point(case))) as f64))
-            .in_options(all_mappings())
-            .within(1e-30, 0.0),
+        row(
+            "map_surface",
+            Pass::StrokeMap,
+            "vec4f(map_surface(case_point(a, b, c, d)).a.uv, map_surface(case_point(a, b, c, \
+             d)).a.weight, map_surface(case_point(a, b, c, d)).tiles_per_px)",
+            smooth_point,
+        )
+        .quad_twin(|b, quad, lane| {
+            let mapped = map_surface(b, &quad.map(point), lane);
+            patterned(&mapped, 0).with_w(mapped.tiles_per_px)
+        })
+        .in_options(all_mappings())
+        .within(1e-4, 0.0),
+        row(
+            "pattern_count",
+            Pass::StrokeMap,
+            "vec4f(f32(pattern_count(map_frames(case_point(a, b, c, d)))), 0.0, 0.0, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| one(pattern_count(b.options.mapping, &map_frames(b, &point(case))) as f64))
+        .in_options(all_mappings())
+        .within(1e-30, 0.0),
     ]
 }
 
