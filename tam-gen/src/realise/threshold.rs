@@ -124,14 +124,20 @@ const ENTRIES: usize = 65;
 pub(crate) fn distribution(levels: &[ThresholdLevel]) -> Vec<Vec<f32>> {
     let mut rows = Vec::new();
     for (i, level) in levels.iter().enumerate() {
-        rows.push(cumulative(level.threshold.len(), |texel| {
+        let place = |texel: usize| {
             let (x, y) = (texel % level.size as usize, texel / level.size as usize);
-            // A quarter texel off its middle is where a bilinear sample falls on average.
-            bilinear(level, x as f32 + 0.25, y as f32 + 0.25)
+            // A quarter texel off its middle is where a bilinear sample falls on average, to all four sides alike: strokes
+            // are not the same on both.
+            let side = |odd: usize| if odd & 1 == 0 { 0.25 } else { -0.25 };
+            (x as f32 + side(x ^ (y >> 1)), y as f32 + side(y ^ (x >> 1)))
+        };
+        rows.push(cumulative(level.threshold.len(), |texel| {
+            let (x, y) = place(texel);
+            bilinear(level, x, y)
         }));
         if let Some(coarser) = levels.get(i + 1) {
             rows.push(cumulative(level.threshold.len(), |texel| {
-                let (x, y) = ((texel % level.size as usize) as f32 + 0.25, (texel / level.size as usize) as f32 + 0.25);
+                let (x, y) = place(texel);
                 let at_coarser = bilinear(coarser, 0.5 * (x + 0.5) - 0.5, 0.5 * (y + 0.5) - 0.5);
                 0.5 * (bilinear(level, x, y) + at_coarser)
             }));
