@@ -59,6 +59,8 @@ struct Reader {
     /// Distinct corners: the vertices.
     corners: Vec<Corner>,
     table: Table,
+    /// Per position the last of its corners.
+    last: Vec<u32>,
     triangles: Vec<[u32; 3]>,
     polygon: Vec<u32>,
     /// First triangle, name and material of each part.
@@ -77,6 +79,7 @@ impl Reader {
             corners: Vec::new(),
             // A vertex takes some sixty bytes of text, with its share of the faces.
             table: Table::new(bytes / 64),
+            last: Vec::new(),
             triangles: Vec::new(),
             polygon: Vec::new(),
             parts: Vec::new(),
