@@ -68,8 +68,8 @@ pub(super) fn groups(
     // Per vertex of the source the group of its own normal: saves the search for all but the first corner.
     let mut known = vec![NONE; raw.positions.len()];
     for (face, corners) in faces.corners.iter().enumerate() {
-        for k in 0..3 {
-            let source = corners[k] as usize;
+        for (k, &source) in corners.iter().enumerate() {
+            let source = source as usize;
             let normal = usable_normal(raw.normals[source], face, shape, flipped[face]);
             let own = normal.is_some_and(|normal| normal.dot(raw.normals[source]) > 0.0);
             if own && known[source] != NONE {

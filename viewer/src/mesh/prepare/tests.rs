@@ -24,7 +24,7 @@ fn torus(m: u32, n: u32) -> RawMesh {
     let mut raw = RawMesh::default();
     for i in 0..m {
         for j in 0..n {
-            let (u, v) = (i as f32 / m as f32, j as f32 / n as f32).into();
+            let (u, v) = (i as f32 / m as f32, j as f32 / n as f32);
             let ((su, cu), (sv, cv)) = ((u * std::f32::consts::TAU).sin_cos(), (v * std::f32::consts::TAU).sin_cos());
             raw.positions.push(Vec3::new((3.0 + cv) * cu, (3.0 + cv) * su, sv));
             let at = |i: u32, j: u32| (i % m) * n + j % n;
