@@ -1,6 +1,6 @@
 //! Smooth normals of a mesh, at rest or deformed.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::Mesh;
@@ -40,24 +40,44 @@ impl Mesh {
         let groups = self.normal_groups.par_iter().with_min_len(GRAIN);
         groups
             .zip(&self.normals)
-            .map(|(&group, &rest)| sums[group as usize].try_normalize().unwrap_or(rest))
+            .map(|(&group, &rest)| sums[group as usize].as_dvec3().try_normalize().map_or(rest, DVec3::as_vec3))
             .collect_into_vec(out);
     }
 }
 
 /// The face's unit normal, weighted for each corner; zero if the face has no area.
-fn corner_normals([a, b, c]: [Vec3; 3]) -> [Vec3; 3] {
+fn corner_normals(corners: [Vec3; 3]) -> [Vec3; 3] {
+    // In f64: the square of a needle's area is below what f32 can hold.
+    let [a, b, c] = corners.map(Vec3::as_dvec3);
     let edges = [b - a, c - b, a - c];
-    let longest_squared = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f32::max);
+    let longest_squared = edges.iter().map(|edge| edge.length_squared()).fold(0.0, f64::max);
     let cross = edges[0].cross(-edges[2]);
     let doubled = cross.length();
-    let Some(normal) = cross.try_normalize() else { return [Vec3::ZERO; 3] };
-    let weight = if doubled / 2.0 < SLIVER * longest_squared { SLIVER_WEIGHT } else { 1.0 };
-    // The cross product of any two edges is the same, twice the area.
-    let angle = |next: Vec3, previous: Vec3| doubled.atan2(-next.dot(previous));
-    [
-        normal * (weight * angle(edges[0], edges[2])),
-        normal * (weight * angle(edges[1], edges[0])),
-        normal * (weight * angle(edges[2], edges[1])),
-    ]
+    let Some(normal) = cross.try_normalize().map(DVec3::as_vec3) else { return [Vec3::ZERO; 3] };
+    let sliver = doubled / 2.0 < f64::from(SLIVER) * longest_squared;
+    let weight = if sliver { SLIVER_WEIGHT } else { 1.0 };
+    let angle = |next: DVec3, previous: DVec3| {
+        // The cross product of any two edges is the same, twice the area. Only the ratio counts for the angle, and f32
+        // is exact enough for it.
+        let (sine, cosine) = (doubled / longest_squared, -next.dot(previous) / longest_squared);
+        normal * (weight * (sine as f32).atan2(cosine as f32))
+    };
+    [angle(edges[0], edges[2]), angle(edges[1], edges[0]), angle(edges[2], edges[1])]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_count_by_their_angles_and_needles_next_to_nothing() {
+        let right = corner_normals([Vec3::ZERO, Vec3::X, Vec3::Y]).map(|normal| normal.z);
+        for (weight, angle) in right.into_iter().zip([90.0_f32, 45.0, 45.0]) {
+            assert!((weight - angle.to_radians()).abs() < 1e-6);
+        }
+        let needle = corner_normals([Vec3::ZERO, Vec3::X * 2e-6, Vec3::new(1e-6, 1e-21, 0.0)]);
+        // The angle at the third corner is nearly 180°.
+        assert!(needle[2].z > 3e-6 && needle[2].z < 4e-6, "{}", needle[2]);
+        assert_eq!(corner_normals([Vec3::ZERO, Vec3::X, Vec3::X * 2.0]), [Vec3::ZERO; 3]);
+    }
 }

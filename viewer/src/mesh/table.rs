@@ -70,9 +70,9 @@ fn mix(key: u64) -> u64 {
     (key ^ (key >> 33)).wrapping_mul(0xc4ce_b9fe_1a85_ec53)
 }
 
-/// One key of two or more numbers.
+/// One key of several numbers; the table stirs it.
 pub(super) fn join(parts: &[u32]) -> u64 {
-    parts.iter().fold(0, |key, &part| mix(key.rotate_left(32) ^ u64::from(part)))
+    parts.iter().fold(0, |key: u64, &part| (key.rotate_left(29) ^ u64::from(part)).wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
 
 #[cfg(test)]

@@ -59,6 +59,8 @@ struct Reader {
     /// Distinct corners: the vertices.
     corners: Vec<Corner>,
     table: Table,
+    /// Per position the last of its corners.
+    last: Vec<u32>,
     triangles: Vec<[u32; 3]>,
     polygon: Vec<u32>,
     /// First triangle, name and material of each part.
@@ -77,6 +79,7 @@ impl Reader {
             corners: Vec::new(),
             // A vertex takes some sixty bytes of text, with its share of the faces.
             table: Table::new(bytes / 64),
+            last: Vec::new(),
             triangles: Vec::new(),
             polygon: Vec::new(),
             parts: Vec::new(),
@@ -126,16 +129,31 @@ impl Reader {
             let uv = self.optional_index(numbers.next(), self.file_uvs.len())?;
             let normal = self.optional_index(numbers.next(), self.file_normals.len())?;
             let corner = [position, uv, normal];
-            let (vertex, new) =
-                self.table.find_or_insert(join(&corner), |other| self.corners[other as usize] == corner);
-            if new {
-                self.corners.push(corner);
-            }
+            let vertex = self.vertex(corner);
             self.polygon.push(vertex);
         }
         let (&first, rest) = self.polygon.split_first()?;
         self.triangles.extend(rest.windows(2).map(|pair| [first, pair[0], pair[1]]));
         (rest.len() >= 2).then_some(())
+    }
+
+    /// The vertex of a corner. Mostly the corners at a position are alike: the last one there saves the search.
+    fn vertex(&mut self, corner: Corner) -> u32 {
+        let position = corner[0] as usize;
+        let last = self.last.get(position).copied().filter(|&last| self.corners[last as usize] == corner);
+        if let Some(last) = last {
+            return last;
+        }
+        let (vertex, new) = self.table.find_or_insert(join(&corner), |other| self.corners[other as usize] == corner);
+        if new {
+            self.corners.push(corner);
+        }
+        if position < self.file_positions.len() {
+            // Positions that no corner has had yet are looked up under the first corner, in vain.
+            self.last.resize(self.file_positions.len(), 0);
+            self.last[position] = vertex;
+        }
+        vertex
     }
 
     /// An index from 0: positive ones count from 1, negative ones from the end so far. Those that are nowhere become

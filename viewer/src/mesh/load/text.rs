@@ -35,8 +35,50 @@ impl<'a> Iterator for Words<'a> {
 
 /// A decimal number; `nan` and `inf` too, which preparation drops and counts.
 pub(super) fn number(word: &[u8]) -> Option<f32> {
-    std::str::from_utf8(word).ok()?.parse().ok()
+    short_number(word).map(|number| number as f32).or_else(|| std::str::from_utf8(word).ok()?.parse().ok())
 }
+
+/// A number of at most 15 digits and a small power of ten, which f64 holds exactly each, so that their quotient or
+/// product is the nearest f64 (Clinger, "How to read floating point numbers accurately", 1990); `None` for others.
+pub(super) fn short_number(word: &[u8]) -> Option<f64> {
+    let (negative, mut rest) = match word.split_first()? {
+        (b'-', rest) => (true, rest),
+        (b'+', rest) => (false, rest),
+        _ => (false, word),
+    };
+    let (mut mantissa, mut digits, mut point, mut power) = (0_u64, 0, false, 0_i32);
+    while let Some((&byte, after)) = rest.split_first() {
+        match byte {
+            b'0'..=b'9' => {
+                if digits == 15 {
+                    return None;
+                }
+                mantissa = mantissa * 10 + u64::from(byte - b'0');
+                digits += 1;
+                power -= i32::from(point);
+            }
+            b'.' if !point => point = true,
+            b'e' | b'E' if after.len() <= 4 => {
+                power += i32::try_from(integer(after)?).ok()?;
+                break;
+            }
+            _ => return None,
+        }
+        rest = after;
+    }
+    if digits == 0 || power.unsigned_abs() > 22 {
+        return None;
+    }
+    let scale = POWERS[power.unsigned_abs() as usize];
+    let value = if power < 0 { mantissa as f64 / scale } else { mantissa as f64 * scale };
+    Some(if negative { -value } else { value })
+}
+
+/// The powers of ten that f64 holds exactly.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
 
 /// A whole number.
 pub(super) fn integer(word: &[u8]) -> Option<i64> {
@@ -70,6 +112,37 @@ mod tests {
         assert_eq!(integer(b"1e3"), None);
         assert_eq!(integer(b"-"), None);
         assert_eq!(integer(&[b'9'; 40]), None);
+    }
+
+    #[test]
+    fn numbers_are_those_of_the_standard_library() {
+        let words = [
+            "0",
+            "-0",
+            "+1.5",
+            "-.25",
+            "7.",
+            "1e3",
+            "1.25E-7",
+            "-9.999999e+37",
+            "0.1",
+            "123456.789",
+            "1e-46",
+            "16777217",
+            "340282350000000000000000000000000000000",
+            "0.30000001192092896",
+            "2.2250738585072014e-308",
+            "inf",
+            "nan",
+        ];
+        for word in words {
+            let theirs: f32 = word.parse().expect("a number");
+            let ours = number(word.as_bytes()).expect("a number");
+            assert!(ours.to_bits() == theirs.to_bits() || ours.is_nan() && theirs.is_nan(), "{word}: {ours} {theirs}");
+        }
+        for word in ["", "-", ".", "e5", "1e", "1e+", "1.2.3", "1,5", "0x10", "1e5e5", "--1"] {
+            assert_eq!(number(word.as_bytes()), None, "{word}");
+        }
     }
 
     #[test]

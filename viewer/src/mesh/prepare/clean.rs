@@ -2,7 +2,6 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::mesh::table::{Table, join};
 use crate::mesh::{MeshReport, RawMesh};
 
 use super::weld::Welded;
@@ -57,21 +56,46 @@ pub(super) fn usable(raw: &RawMesh, report: &mut MeshReport) -> Faces {
 
 /// Drops triangles that welding left without area, and those with the points of an earlier one.
 pub(super) fn drop_collapsed(raw: &RawMesh, welded: &Welded, faces: &mut Faces, report: &mut MeshReport) {
-    let mut table = Table::new(faces.corners.len());
-    let mut kept: Vec<[u32; 3]> = Vec::with_capacity(faces.corners.len());
+    let points_of = |corners: [u32; 3]| corners.map(|corner| welded.points[corner as usize]);
     faces.retain(|corners| {
-        let mut points = corners.map(|corner| welded.points[corner as usize]);
-        if !has_area(points.map(|point| raw.positions[welded.leaders[point as usize] as usize])) {
-            report.dropped_degenerate += 1;
-            return false;
-        }
+        let points = points_of(corners);
+        let area = has_area(points.map(|point| raw.positions[welded.leaders[point as usize] as usize]));
+        report.dropped_degenerate += usize::from(!area);
+        area
+    });
+
+    // Bucketed by their least point, as half-edges are for adjacency: cheaper than a hash table.
+    let sorted = |corners: [u32; 3]| {
+        let mut points = points_of(corners);
         points.sort_unstable();
-        let (_, new) = table.find_or_insert(join(&points), |other| kept[other as usize] == points);
-        if new {
-            kept.push(points);
+        points
+    };
+    let mut starts = vec![0_u32; welded.leaders.len() + 1];
+    faces.corners.iter().for_each(|&corners| starts[sorted(corners)[0] as usize + 1] += 1);
+    for point in 0..welded.leaders.len() {
+        starts[point + 1] += starts[point];
+    }
+    let mut filled = starts.clone();
+    let mut buckets = vec![([0; 2], 0); faces.corners.len()];
+    for (face, &corners) in faces.corners.iter().enumerate() {
+        let [least, middle, greatest] = sorted(corners);
+        let place = &mut filled[least as usize];
+        buckets[*place as usize] = ([middle, greatest], face as u32);
+        *place += 1;
+    }
+    let mut doubled = vec![false; faces.corners.len()];
+    for ends in starts.windows(2) {
+        let bucket = &mut buckets[ends[0] as usize..ends[1] as usize];
+        bucket.sort_unstable();
+        for pair in bucket.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            doubled[pair[1].1 as usize] = true;
         }
-        report.dropped_doubled += usize::from(!new);
-        new
+    }
+    let mut doubled = doubled.into_iter();
+    faces.retain(|_| {
+        let again = doubled.next() == Some(true);
+        report.dropped_doubled += usize::from(again);
+        !again
     });
 }
 

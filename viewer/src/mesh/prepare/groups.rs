@@ -65,9 +65,17 @@ pub(super) fn groups(
     let mut groups = Groups { corners: smooth, normals: Vec::new(), given: Vec::new() };
     let mut table = Table::new(surface.points.len() * 2);
     let mut keys: Vec<[u32; 4]> = Vec::new();
+    // Per vertex of the source the group of its own normal: saves the search for all but the first corner.
+    let mut known = vec![NONE; raw.positions.len()];
     for (face, corners) in faces.corners.iter().enumerate() {
-        for (k, vertex) in corners.iter().enumerate() {
-            let normal = usable_normal(raw.normals[*vertex as usize], face, shape, flipped[face]);
+        for (k, &source) in corners.iter().enumerate() {
+            let source = source as usize;
+            let normal = usable_normal(raw.normals[source], face, shape, flipped[face]);
+            let own = normal.is_some_and(|normal| normal.dot(raw.normals[source]) > 0.0);
+            if own && known[source] != NONE {
+                groups.corners[face][k] = known[source];
+                continue;
+            }
             let key = match normal {
                 Some(normal) => {
                     let [x, y, z] = (normal * NORMAL_STEPS).round().to_array().map(|step| step as i32 as u32);
@@ -82,6 +90,9 @@ pub(super) fn groups(
                 keys.push(key);
                 groups.normals.push(normal.unwrap_or(shape.normals[face]));
                 groups.given.push(normal.is_some());
+            }
+            if own {
+                known[source] = group;
             }
             groups.corners[face][k] = group;
         }

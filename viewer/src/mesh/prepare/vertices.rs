@@ -32,12 +32,22 @@ pub(super) fn split(raw: &RawMesh, surface: &Surface, faces: &Faces, groups: &Gr
     let mut table = Table::new(surface.points.len() * 2);
     let mut found: Vec<[u32; 2]> = Vec::new();
     let mut triangles = vec![[0; 3]; faces.corners.len()];
+    // Nearly all corners at a vertex of the source are of one group: the first found saves the search.
+    let mut first = vec![NONE; raw.positions.len()];
     for (face, corners) in faces.corners.iter().enumerate() {
         for k in 0..3 {
             let key = [alike[corners[k] as usize], groups.corners[face][k]];
+            let first = &mut first[key[0] as usize];
+            if *first != NONE && found[*first as usize] == key {
+                triangles[face][k] = *first;
+                continue;
+            }
             let (vertex, new) = table.find_or_insert(join(&key), |other| found[other as usize] == key);
             if new {
                 found.push(key);
+            }
+            if *first == NONE {
+                *first = vertex;
             }
             triangles[face][k] = vertex;
         }

@@ -73,14 +73,14 @@ struct Grid {
 
 impl Grid {
     fn cell(&self, position: DVec3) -> [u32; 3] {
-        ((position - self.low) * self.inverse_cell).floor().as_uvec3().to_array()
+        ((position - self.low) * self.inverse_cell).as_uvec3().to_array()
     }
 
     /// The cells within the tolerance of a position: one, or up to eight.
     fn around(&self, position: DVec3) -> impl Iterator<Item = [u32; 3]> {
         let place = (position - self.low) * self.inverse_cell;
-        let from = (place - self.reach).floor().max(DVec3::ZERO).as_uvec3();
-        let to = (place + self.reach).floor().as_uvec3();
+        // Conversion cuts off the fraction, and takes what is below zero to it.
+        let (from, to) = ((place - self.reach).as_uvec3(), (place + self.reach).as_uvec3());
         (from.z..=to.z).flat_map(move |z| (from.y..=to.y).flat_map(move |y| (from.x..=to.x).map(move |x| [x, y, z])))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::mesh::MeshError;
 
-use super::super::text::{Words, shown};
+use super::super::text::{Words, short_number, shown};
 use super::header::{Element, Encoding, Scalar, Shape};
 
 /// Reads numbers one after the other.
@@ -76,7 +76,7 @@ impl<'a> Data<'a> {
         let mut words = Words::new(self.rest);
         let word = words.next().ok_or_else(|| MeshError::damaged("it ends within its data"))?;
         self.rest = words.rest();
-        let number = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+        let number = short_number(word).or_else(|| std::str::from_utf8(word).ok()?.parse().ok());
         number.ok_or_else(|| MeshError::damaged(format!("\"{}\" where a number is expected", shown(word))))
     }
 
