@@ -5,6 +5,7 @@
 //! - [`cpu`]: the shader functions in `f64`, one for one, as the reference for what a GPU draws.
 
 pub mod compose;
+pub mod cpu;
 pub mod types;
 
 pub use compose::{Capabilities, Pass, compose};

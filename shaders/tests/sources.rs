@@ -19,3 +19,71 @@ fn every_composed_source_validates_with_and_without_primitive_index() {
         }
     }
 }
+
+/// Files of a folder below the crate, name and text, without directives of the composer.
+fn sources(folder: &str) -> Vec<(String, Vec<String>)> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut sources = Vec::new();
+    for entry in std::fs::read_dir(&folder).expect("the folder exists") {
+        let path = entry.expect("the folder can be read").path();
+        if path.extension().is_some_and(|extension| extension == "wgsl") {
+            let text = std::fs::read_to_string(&path).expect("sources are text");
+            let lines = text.lines().filter(|line| !line.starts_with("//!")).map(str::to_owned);
+            let stem = path.file_stem().expect("a file has a name").to_string_lossy().into_owned();
+            sources.push((stem, lines.collect()));
+        }
+    }
+    sources
+}
+
+#[test]
+fn every_piece_is_included_by_some_pass_and_no_pass_has_one_twice() {
+    let composed = Pass::ALL.map(|pass| compose(pass, Capabilities { primitive_index: true }));
+    let pieces = sources("wgsl/lib");
+    assert!(!pieces.is_empty());
+    for (stem, lines) in pieces {
+        // Heads of the files differ, so the first line tells the piece.
+        let uses = composed.each_ref().map(|source| source.lines().filter(|line| *line == lines[0]).count());
+        assert!(uses.iter().any(|uses| *uses > 0), "no pass includes lib/{stem}.wgsl");
+        assert!(uses.iter().all(|uses| *uses <= 1), "a pass includes lib/{stem}.wgsl twice");
+    }
+}
+
+#[test]
+fn every_entry_file_is_a_pass_and_every_pass_and_piece_has_a_twin() {
+    let mut entries: Vec<_> = sources("wgsl").into_iter().map(|(stem, _)| stem).collect();
+    let mut passes = Pass::ALL.map(|pass| pass.name().to_owned()).to_vec();
+    entries.sort();
+    passes.sort();
+    assert_eq!(entries, passes);
+    let cpu = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/cpu");
+    for (folder, twins) in [("wgsl", cpu.clone()), ("wgsl/lib", cpu.join("lib"))] {
+        for (stem, _) in sources(folder) {
+            assert!(twins.join(format!("{stem}.rs")).is_file(), "{folder}/{stem}.wgsl has no twin");
+        }
+    }
+}
+
+/// Names of the functions that a text declares with this word before them.
+fn functions(lines: &[String], word: &str) -> Vec<String> {
+    let name = |line: &String| Some(line.trim_start().strip_prefix(word)?.split(['(', '<']).next()?.to_owned());
+    lines.iter().filter_map(name).collect()
+}
+
+#[test]
+fn every_function_has_a_twin_of_its_name() {
+    let cpu = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/cpu");
+    for (folder, twins) in [("wgsl", cpu.clone()), ("wgsl/lib", cpu.join("lib"))] {
+        for (stem, lines) in sources(folder) {
+            let twin = std::fs::read_to_string(twins.join(format!("{stem}.rs"))).expect("there is a twin");
+            let twins = functions(&twin.lines().map(str::to_owned).collect::<Vec<_>>(), "pub fn ");
+            for function in functions(&lines, "fn ") {
+                // The vertex stage of most passes is lib/surface.wgsl's and no more.
+                if function == "vertex" && lines.iter().any(|line| line == "    return surface_vertex(index);") {
+                    continue;
+                }
+                assert!(twins.contains(&function), "{folder}/{stem}.wgsl: {function} has no twin");
+            }
+        }
+    }
+}

@@ -65,7 +65,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
 fn fragment(in: FragmentIn, six: SixWayIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let mapped = map_surface(surface_point(in, front));
     let level = map_level(mapped.tiles_per_px);
-    let weights = Weights(six.light, six.dark);
+    // Interpolation rounds a little below 0.
+    let weights = Weights(max(six.light, vec3f(0.0)), max(six.dark, vec3f(0.0)));
     let patterns = array<Pattern, 3>(mapped.a, mapped.b, mapped.c);
     let count = pattern_count(mapped);
     var ink = 0.0;

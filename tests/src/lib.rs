@@ -2,3 +2,4 @@
 
 pub mod adapter;
 pub mod command;
+pub mod gpu;

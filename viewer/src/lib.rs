@@ -11,6 +11,8 @@ pub mod params;
 pub mod ranges;
 pub mod scene;
 
+pub mod reference;
+
 mod frame;
 pub mod gpu;
 mod passes;

@@ -131,7 +131,7 @@ pub struct Silhouettes {
 
 impl Default for Silhouettes {
     fn default() -> Self {
-        Self { width_px: 2.0, contours: true, borders: true, crease_deg: Some(40.0) }
+        Self { width_px: 2.0, contours: true, borders: true, crease_deg: Some(60.0) }
     }
 }
 

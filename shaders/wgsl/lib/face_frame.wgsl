@@ -66,7 +66,11 @@ fn frame_hardened(n: vec3f, g_world: vec3f) -> Frame {
     }
     let scale = 1.0 / max(total, 1e-6);
     let sine = sqrt(length(tensor) * scale);
-    let axis = half_angle(tensor);
+    // Of the two ways along the axis the one towards the lights, as with a single light.
+    var axis = half_angle(tensor);
+    if dot(axis, sum) < 0.0 {
+        axis = -axis;
+    }
     let clear = smoothstep(0.25 * SINE_BAND, SINE_BAND, sine);
     let side = smoothstep(-1.0, 1.0, dot(axis, sum) * scale / (0.5 * max(sine, SINE_BAND)));
     let b = axis.x * e + axis.y * f;

@@ -3,7 +3,7 @@
 use super::{Mesh, NONE};
 
 /// Panics where a mesh breaks a promise.
-pub fn check(mesh: &Mesh) {
+pub(super) fn check(mesh: &Mesh) {
     let vertices = mesh.positions.len();
     assert!(!mesh.triangles.is_empty());
     for length in [mesh.normals.len(), mesh.points.len(), mesh.normal_groups.len(), mesh.sources.len()] {

@@ -18,6 +18,8 @@ mod raw;
 mod report;
 pub mod sample;
 mod table;
+#[cfg(test)]
+mod test_files;
 
 use std::ops::Range;
 

@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3, Vec3};
 use super::solid::shape;
 
 /// Weight of a vertex's own place against the planes around it: evens out triangles where the surface is flat.
-const EVENNESS: f64 = 2e-3;
+const EVENNESS: f64 = 5e-4;
 /// Triangles made must have at least this [`shape`]; 0.29 is the best.
 const WORST_SHAPE: f32 = 0.08;
 /// Cosine between a triangle's normals before and after.

@@ -1,5 +1,7 @@
 //! An open right hand, its palm to the viewer, with a stump of the forearm.
 
+use std::sync::LazyLock;
+
 use glam::{Mat3, Quat, Vec2, Vec3, vec2, vec3};
 
 use super::super::RawMesh;
@@ -124,9 +126,12 @@ fn creased(hand: f32, p: Vec3) -> f32 {
     }
     let depth = LINES.map(|(centre, radius, from, to)| {
         let arm = p.truncate() - centre;
+        let depth = bump(arm.length() - radius, 0.28);
+        if depth == 0.0 {
+            return 0.0;
+        }
         let angle = arm.to_angle().rem_euclid(std::f32::consts::TAU);
-        let ends = smooth_step((angle - from) / 0.25) * smooth_step((to - angle) / 0.25);
-        bump(arm.length() - radius, 0.28) * ends
+        depth * smooth_step((angle - from) / 0.25) * smooth_step((to - angle) / 0.25)
     });
     hand + 0.14 * side * depth[0].max(depth[1]).max(depth[2])
 }
@@ -174,6 +179,11 @@ fn nail(finger: f32, p: Vec3, radius: f32) -> f32 {
 }
 
 fn palm(p: Vec3) -> f32 {
+    // As for the fingers: too far for any blend.
+    let rough = capsule(p, vec3(0.0, 2.2, 0.0), vec3(0.0, 6.8, 0.0), 5.4);
+    if rough > 3.0 {
+        return rough;
+    }
     let mut palm = f32::INFINITY;
     let wrist = [1.25, 0.4, -0.5, -1.35];
     for (digit, x) in FINGERS.iter().zip(wrist) {
@@ -184,39 +194,50 @@ fn palm(p: Vec3) -> f32 {
         // The pad below each finger.
         palm = unite(palm, sphere(p, digit.root + vec3(0.0, 0.1, 0.36), digit.radii[0] * 0.84), 1.1);
     }
-    let ball_of_little = {
-        let turn = Quat::from_rotation_z(0.22);
-        ellipsoid(turn.inverse() * (p - vec3(-2.1, 3.2, 0.55)), Vec3::ZERO, vec3(1.45, 3.1, 1.35))
-    };
+    let ball_of_little = turned_ellipsoid(p, vec3(-2.1, 3.2, 0.55), LITTLE_LEAN, vec3(1.45, 3.1, 1.35));
     palm = unite(palm, ball_of_little, 0.9);
-    let ball_of_thumb = {
-        let turn = Quat::from_rotation_z(-0.55);
-        ellipsoid(turn.inverse() * (p - vec3(2.35, 3.1, 0.95)), Vec3::ZERO, vec3(1.6, 2.9, 1.5))
-    };
+    let ball_of_thumb = turned_ellipsoid(p, vec3(2.35, 3.1, 0.95), THUMB_LEAN, vec3(1.6, 2.9, 1.5));
     palm = unite(palm, ball_of_thumb, 0.8);
     let hollow = ellipsoid(p, vec3(0.1, 5.4, 2.35), vec3(1.5, 2.3, 1.2));
     subtract(palm, hollow, 0.9)
 }
 
+/// Directions of long axes in the plane of the palm, of length 1 to three digits.
+const LITTLE_LEAN: Vec2 = vec2(-0.218, 0.976);
+const THUMB_LEAN: Vec2 = vec2(0.523, 0.853);
+const WEB_LEAN: Vec2 = vec2(0.479, 0.878);
+
+/// To an ellipsoid whose y axis is turned to `lean` about z.
+fn turned_ellipsoid(p: Vec3, centre: Vec3, lean: Vec2, radii: Vec3) -> f32 {
+    let q = p - centre;
+    let flat = q.truncate();
+    ellipsoid(vec3(flat.dot(vec2(lean.y, -lean.x)), flat.dot(lean), q.z), Vec3::ZERO, radii)
+}
+
+const THUMB_JOINTS: [Vec3; 4] = [vec3(1.9, 1.6, 0.5), vec3(4.35, 4.7, 1.0), vec3(6.0, 7.0, 1.05), vec3(7.0, 8.75, 0.8)];
+
+/// The thumb is seen from its side: its pad looks towards the fingers, its nail away from them.
+static TIP_FROM_HAND: LazyLock<Mat3> = LazyLock::new(|| {
+    let along = (THUMB_JOINTS[3] - THUMB_JOINTS[2]).normalize();
+    (Mat3::from_quat(Quat::from_rotation_arc(Vec3::Y, along)) * Mat3::from_rotation_y(-0.95)).transpose()
+});
+
 fn thumb(p: Vec3) -> f32 {
-    const JOINTS: [Vec3; 4] = [vec3(1.9, 1.6, 0.5), vec3(4.35, 4.7, 1.0), vec3(6.0, 7.0, 1.05), vec3(7.0, 8.75, 0.8)];
+    const JOINTS: [Vec3; 4] = THUMB_JOINTS;
+    let rough = capsule(p, JOINTS[0], JOINTS[3], 2.2);
+    if rough > 2.0 {
+        return rough;
+    }
     let mut thumb = round_cone(p, JOINTS[0], JOINTS[1], 1.5, 1.15);
     thumb = unite(thumb, round_cone(p, JOINTS[1], JOINTS[2], 1.13, 0.98), 0.4);
     thumb = unite(thumb, round_cone(p, JOINTS[2], JOINTS[3], 0.98, 0.76), 0.3);
     thumb = unite(thumb, sphere(p, JOINTS[1] + vec3(0.15, -0.1, -0.1), 1.16), 0.6);
     thumb = unite(thumb, sphere(p, JOINTS[2] + vec3(0.1, 0.0, -0.05), 1.0), 0.5);
-    // The thumb is seen from its side: its pad looks towards the fingers, its nail away from them.
-    let along = (JOINTS[3] - JOINTS[2]).normalize();
-    let turn = Quat::from_rotation_arc(Vec3::Y, along) * Quat::from_rotation_y(-0.95);
-    let local = turn.inverse() * (p - JOINTS[2].lerp(JOINTS[3], 0.55));
-    thumb = unite(thumb, ellipsoid(local, vec3(0.0, 0.0, 0.3), vec3(0.85, 1.2, 0.78)), 0.4);
-    thumb = nail(thumb, turn.inverse() * (p - JOINTS[3]), 0.78);
+    let pad = *TIP_FROM_HAND * (p - JOINTS[2].lerp(JOINTS[3], 0.55));
+    thumb = unite(thumb, ellipsoid(pad, vec3(0.0, 0.0, 0.3), vec3(0.85, 1.2, 0.78)), 0.4);
+    thumb = nail(thumb, *TIP_FROM_HAND * (p - JOINTS[3]), 0.78);
     // Skin from the thumb to the index finger.
-    unite(
-        thumb,
-        ellipsoid(Quat::from_rotation_z(0.5) * (p - vec3(3.3, 5.6, 0.1)), Vec3::ZERO, vec3(1.3, 1.5, 0.62)),
-        0.8,
-    )
+    unite(thumb, turned_ellipsoid(p, vec3(3.3, 5.6, 0.1), WEB_LEAN, vec3(1.3, 1.5, 0.62)), 0.8)
 }
 
 fn forearm(p: Vec3) -> f32 {

@@ -1,6 +1,8 @@
 //! A human head on its neck.
 
-use glam::{Quat, Vec2, Vec3, vec2, vec3};
+use std::sync::LazyLock;
+
+use glam::{Mat3, Vec2, Vec3, vec2, vec3};
 
 use super::super::RawMesh;
 use super::nets::Solid;
@@ -10,12 +12,16 @@ use super::solid;
 /// Centimetres: the eyes are at y = 0, the face looks to +z.
 const CENTRE: Vec3 = vec3(0.0, -3.0, 0.0);
 const HALF_EXTENT: Vec3 = vec3(10.0, 15.5, 13.0);
-const COARSEST_CELL: f32 = 0.3;
+const COARSEST_CELL: f32 = 0.2;
 
 pub(super) fn head(triangles: usize) -> RawMesh {
     let solid = Solid { distance: &|p| distance(p + CENTRE), half_extent: HALF_EXTENT };
     solid::mesh(&solid, COARSEST_CELL, triangles)
 }
+
+/// Stands off the head, and leans back.
+static EAR_FROM_HEAD: LazyLock<Mat3> =
+    LazyLock::new(|| (Mat3::from_rotation_y(0.45) * Mat3::from_rotation_x(-0.2)).transpose());
 
 fn distance(p: Vec3) -> f32 {
     // One half is modelled; the middle plane mirrors it.
@@ -114,14 +120,14 @@ fn eye(head: f32, p: Vec3) -> f32 {
     let lids = q.length() - (RADIUS + 0.36);
     let lidded = unite(head, lids, 0.5);
     // The opening is where two cylinders overlap: an almond whose outer corner is higher.
-    let tilt = (Quat::from_rotation_z(-0.09) * q).truncate();
+    let tilt = Vec2::from_angle(-0.09).rotate(q.truncate());
     let upper = tilt.distance(vec2(0.0, -0.95)) - 1.6;
     let lower = tilt.distance(vec2(0.0, 1.6)) - 2.1;
     let opening = intersect(intersect(upper, lower, 0.1), -q.z, 0.1);
     let open = subtract(lidded, opening, 0.2);
     // The fold above the upper lid.
     let fold = (tilt.distance(vec2(0.0, -0.95)) - 2.15).hypot(q.length() - RADIUS - 0.5)
-        - 0.16 * (tilt.y * 1.5).clamp(0.0, 1.0)
+        - 0.16 * (tilt.y * 1.5).clamp(0.0, 1.0) * (2.0 * tilt.x + 3.0).clamp(0.0, 1.0)
         + (1.0 - q.z).max(0.0);
     unite(subtract(open, fold, 0.3), ball, 0.06)
 }
@@ -132,8 +138,7 @@ fn ear(head: f32, p: Vec3) -> f32 {
         return head;
     }
     // In the ear's frame x points away from the head, y up along it, z to the face.
-    let turn = Quat::from_rotation_y(0.45) * Quat::from_rotation_x(-0.2);
-    let q = turn.inverse() * (p - PLACE);
+    let q = *EAR_FROM_HEAD * (p - PLACE);
     let mut shell = ellipsoid(q, vec3(0.2, 0.5, -0.3), vec3(0.55, 2.9, 1.75));
     let around = {
         // Helix: a ring about an ellipse, open towards the face.
@@ -158,7 +163,7 @@ fn neck(p: Vec3) -> f32 {
     let column = round_cone(p, vec3(0.0, -5.0, -2.2), vec3(0.0, -20.0, -3.8), 4.7, 5.6);
     let muscle = round_cone(p, vec3(5.0, -4.0, -2.8), vec3(1.5, -17.5, 1.6), 1.0, 0.9);
     let larynx = ellipsoid(p, vec3(0.0, -12.8, 2.0), vec3(1.0, 1.5, 1.2));
-    let nape = round_cone(p, vec3(1.4, -4.0, -5.4), vec3(1.8, -20.0, -5.8), 2.2, 3.6);
+    let nape = round_cone(p, vec3(0.0, -4.0, -4.9), vec3(0.0, -20.0, -5.4), 3.3, 4.6);
     let neck = unite(unite(unite(column, muscle, 1.3), larynx, 1.6), nape, 2.0);
     intersect(neck, -17.5 - p.y, 1.2)
 }

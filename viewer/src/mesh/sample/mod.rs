@@ -124,7 +124,8 @@ impl Sample {
         match self {
             Self::Quad => 2,
             Self::Cylinder | Self::Sphere | Self::Cube => 12,
-            Self::Torus | Self::TorusKnot => 24,
+            Self::Torus => 24,
+            Self::TorusKnot => 144,
             Self::Chair => 900,
             Self::Teapot => 250,
             Self::Gyroid => 2_500,

@@ -13,7 +13,7 @@ const SURVEY_CELL: f32 = 1.0 / 36.0;
 /// Rounds of evening out; more no longer move the worst percentile of angles.
 const RELAXATIONS: usize = 4;
 /// Rounds after contraction, which has already placed vertices well.
-const RELAXATIONS_AFTER: usize = 2;
+const RELAXATIONS_AFTER: usize = 1;
 
 /// The solid's surface in about `triangles` triangles, its box normalised.
 ///
@@ -33,10 +33,51 @@ pub(super) fn mesh(solid: &Solid, coarsest: f32, triangles: usize) -> RawMesh {
         decimate(&mut positions, &mut faces, triangles);
         nets::relax(solid, &mut positions, &faces, cell, RELAXATIONS_AFTER);
     }
+    keep_largest_piece(&mut positions, &mut faces);
     let normals = normals(&positions, &faces);
     let mut mesh = RawMesh { positions, normals, triangles: faces, ..RawMesh::default() };
     place_in_box(&mut mesh);
     mesh
+}
+
+/// Drops what is not connected to the largest piece: bubbles of a cell or two where a crease closes over itself.
+fn keep_largest_piece(positions: &mut Vec<Vec3>, faces: &mut Vec<[u32; 3]>) {
+    let mut parents: Vec<u32> = (0..positions.len() as u32).collect();
+    fn root(parents: &mut [u32], mut v: u32) -> u32 {
+        while parents[v as usize] != v {
+            parents[v as usize] = parents[parents[v as usize] as usize];
+            v = parents[v as usize];
+        }
+        v
+    }
+    for &[a, b, c] in &*faces {
+        for other in [b, c] {
+            let (a, other) = (root(&mut parents, a), root(&mut parents, other));
+            parents[other as usize] = a;
+        }
+    }
+    let roots: Vec<u32> = (0..positions.len() as u32).map(|v| root(&mut parents, v)).collect();
+    let mut sizes = vec![0u32; positions.len()];
+    for &root in &roots {
+        sizes[root as usize] += 1;
+    }
+    let Some(largest) = (0..sizes.len()).max_by_key(|&root| sizes[root]) else { return };
+    if sizes[largest] as usize == positions.len() {
+        return;
+    }
+    let keeps: Vec<bool> = roots.iter().map(|&root| root as usize == largest).collect();
+    faces.retain(|face| keeps[face[0] as usize]);
+    let mut numbers = vec![0u32; positions.len()];
+    let mut kept = 0;
+    for (v, _) in keeps.iter().enumerate().filter(|&(_, &keep)| keep) {
+        numbers[v] = kept as u32;
+        positions[kept] = positions[v];
+        kept += 1;
+    }
+    positions.truncate(kept);
+    for face in faces {
+        *face = face.map(|corner| numbers[corner as usize]);
+    }
 }
 
 /// Means of the faces' normals by area. The function's own gradient would show details that the triangles do not have.

@@ -179,7 +179,12 @@ impl Loft {
             let (patch, v, length) = rows[row];
             let (position, across, along) = self.at(arc, around / per_arc as f32 - arc as f32, patch, v);
             let pole = row == 0 && sheet.first_row_is_pole || row == sheet.rows && sheet.last_row_is_pole;
-            let normal = if pole { Vec3::Y * if row == 0 { -1.0 } else { 1.0 } } else { across.cross(along) };
+            let (position, normal) = match row {
+                // Rounding would scatter the one point of a pole.
+                0 if pole => (self.rings[0][0], Vec3::NEG_Y),
+                _ if pole => (self.rings[self.rings.len() - 1][0], Vec3::Y),
+                _ => (position, across.cross(along)),
+            };
             let uv = vec2(self.repeats * column / sheet.columns as f32, length / unit);
             Vertex { position, normal: normal.normalize(), uv }
         });

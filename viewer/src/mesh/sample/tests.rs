@@ -1,8 +1,9 @@
 //! What every sample promises, on the triangles themselves.
 
 use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use super::super::RawMesh;
 use super::Sample;
@@ -20,6 +21,15 @@ const CLOSED: [Sample; 9] = [
 ];
 const IMPLICIT: [Sample; 3] = [Sample::Gyroid, Sample::Hand, Sample::Head];
 
+/// Builds each mesh once for all tests.
+fn built(sample: Sample, wanted: usize) -> Arc<RawMesh> {
+    type Built = HashMap<(Sample, usize), Arc<RawMesh>>;
+    static ALL: LazyLock<Mutex<Built>> = LazyLock::new(Mutex::default);
+    // A test that failed while it held the map has left it whole.
+    let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
+    all.entry((sample, wanted)).or_insert_with(|| Arc::new(sample.build(wanted))).clone()
+}
+
 /// Triangles over welded positions: equal to the bit is the same point.
 struct Welded {
     triangles: Vec<[u32; 3]>,
@@ -30,15 +40,17 @@ struct Welded {
 impl Welded {
     fn new(mesh: &RawMesh) -> Self {
         let mut numbers = HashMap::new();
-        let mut point = |p: Vec3| {
-            // Adding zero makes -0 and 0 the same.
-            let next = numbers.len() as u32;
-            *numbers.entry((p + 0.0).to_array().map(f32::to_bits)).or_insert(next)
-        };
-        let triangles: Vec<[u32; 3]> =
-            mesh.triangles.iter().map(|face| face.map(|i| point(mesh.positions[i as usize]))).collect();
+        let mut triangles = Vec::new();
+        for (index, part) in mesh.parts.iter().enumerate() {
+            // Parts may touch: the teapot's handle ends on its body.
+            let mut point = |corner: u32| {
+                let next = numbers.len() as u32;
+                *numbers.entry((bits(mesh.positions[corner as usize]), index)).or_insert(next)
+            };
+            triangles.extend(mesh.triangles[part.triangles.clone()].iter().map(|face| face.map(&mut point)));
+        }
         let mut edges = HashMap::new();
-        for &[a, b, c] in &triangles {
+        for &[a, b, c] in &triangles as &Vec<[u32; 3]> {
             for edge in [(a, b), (b, c), (c, a)] {
                 *edges.entry(edge).or_insert(0) += 1;
             }
@@ -68,6 +80,11 @@ impl Welded {
     }
 }
 
+/// Equal for the same place; adding zero makes -0 and 0 the same.
+fn bits(p: Vec3) -> [u32; 3] {
+    (p + 0.0).to_array().map(f32::to_bits)
+}
+
 fn corners(mesh: &RawMesh, face: [u32; 3]) -> [Vec3; 3] {
     face.map(|i| mesh.positions[i as usize])
 }
@@ -84,20 +101,20 @@ fn counts_are_within_fifteen_percent() {
     for sample in Sample::ALL {
         for wanted in [1_000, 20_000, 200_000] {
             let wanted = sample.least_triangles().max(wanted);
-            let got = sample.build(wanted).triangles.len() as f64;
+            let got = built(sample, wanted).triangles.len() as f64;
             assert!((got / wanted as f64 - 1.0).abs() <= 0.15, "{}: {got} for {wanted}", sample.name());
         }
-        let least = sample.build(0).triangles.len();
+        let least = built(sample, 0).triangles.len();
         assert!(least <= sample.least_triangles() * 23 / 20, "{}: {least} at least", sample.name());
     }
-    assert_eq!(Sample::Quad.build(0).triangles.len(), 2);
-    assert_eq!(Sample::Cube.build(0).triangles.len(), 12);
+    assert_eq!(built(Sample::Quad, 0).triangles.len(), 2);
+    assert_eq!(built(Sample::Cube, 0).triangles.len(), 12);
 }
 
 #[test]
 fn arrays_agree_and_values_are_finite() {
     for sample in Sample::ALL {
-        let mesh = sample.build(3_000);
+        let mesh = built(sample, 3_000);
         let count = mesh.positions.len();
         assert_eq!(mesh.normals.len(), count, "{}", sample.name());
         assert!(mesh.uvs.is_empty() || mesh.uvs.len() == count, "{}", sample.name());
@@ -118,7 +135,7 @@ fn arrays_agree_and_values_are_finite() {
 #[test]
 fn the_box_is_about_the_origin_with_a_longest_side_of_two() {
     for sample in Sample::ALL {
-        let mesh = sample.build(20_000);
+        let mesh = built(sample, 20_000);
         let (low, high) = mesh.positions.iter().fold((Vec3::MAX, Vec3::MIN), |(l, h), &p| (l.min(p), h.max(p)));
         // Rings of corners fall short of round outlines by (π/n)²/2, and the knot is a little lower than high.
         assert!(((high - low).max_element() - 2.0).abs() < 0.1, "{}: {low} {high}", sample.name());
@@ -130,7 +147,7 @@ fn the_box_is_about_the_origin_with_a_longest_side_of_two() {
 fn closed_samples_are_manifold_and_oriented() {
     for sample in CLOSED {
         for wanted in [sample.least_triangles(), 1_000, 20_000] {
-            let mesh = sample.build(wanted);
+            let mesh = built(sample, wanted);
             let welded = Welded::new(&mesh);
             for (&(a, b), &count) in &welded.edges {
                 let back = welded.edges.get(&(b, a));
@@ -157,23 +174,23 @@ fn topology_is_what_the_form_says() {
         (Sample::TorusKnot, 0, 1),
         (Sample::Hand, 2, 1),
         (Sample::Head, 2, 1),
-        (Sample::Chair, 28, 14),
+        (Sample::Chair, 26, 13),
     ];
     for (sample, euler, components) in cases {
-        for wanted in [1_000, 20_000, 150_000] {
-            let welded = Welded::new(&sample.build(wanted));
+        for wanted in [1_000, 20_000, 200_000] {
+            let welded = Welded::new(&built(sample, wanted));
             assert_eq!((welded.euler(), welded.components()), (euler, components), "{} at {wanted}", sample.name());
         }
     }
     // The gyroid's handles depend on its cut, not on its resolution.
-    let handles = [20_000, 150_000].map(|wanted| Welded::new(&Sample::Gyroid.build(wanted)));
+    let handles = [20_000, 200_000].map(|wanted| Welded::new(&built(Sample::Gyroid, wanted)));
     assert_eq!(handles[0].euler(), handles[1].euler());
     assert_eq!(handles.map(|welded| welded.components()), [1, 1]);
 }
 
 #[test]
 fn the_teapot_is_open_only_where_its_patches_are() {
-    let welded = Welded::new(&Sample::Teapot.build(20_000));
+    let welded = Welded::new(&built(Sample::Teapot, 20_000));
     let mut next = HashMap::new();
     for (&(a, b), &count) in &welded.edges {
         assert_eq!(count, 1);
@@ -198,7 +215,7 @@ fn the_teapot_is_open_only_where_its_patches_are() {
 fn triangles_have_area_and_face_with_their_normals() {
     for sample in Sample::ALL {
         for wanted in [1_000, 20_000] {
-            let mesh = sample.build(wanted);
+            let mesh = built(sample, wanted);
             let mean = 1.0 / mesh.triangles.len() as f32;
             let mut against = 0;
             for &face in &mesh.triangles {
@@ -207,8 +224,13 @@ fn triangles_have_area_and_face_with_their_normals() {
                 assert!(double_area.length() > 1e-4 * mean, "{}: {a} {b} {c}", sample.name());
                 against += usize::from(face.iter().any(|&i| mesh.normals[i as usize].dot(double_area) <= 0.0));
             }
-            // Deep creases of hand and head, at a triangle each, may turn by more than a right angle.
-            let allowed = if IMPLICIT.contains(&sample) { mesh.triangles.len() / 200 } else { 0 };
+            // Creases of hand and head, and the lips of the teapot's rim and spout, turn by more than a right angle
+            // within a triangle.
+            let allowed = match sample {
+                Sample::Teapot => mesh.triangles.len() / if wanted < 20_000 { 8 } else { 100 },
+                _ if IMPLICIT.contains(&sample) => mesh.triangles.len() / 200,
+                _ => 0,
+            };
             assert!(against <= allowed, "{} at {wanted}: {against} against their normals", sample.name());
         }
     }
@@ -218,7 +240,7 @@ fn triangles_have_area_and_face_with_their_normals() {
 fn implicit_samples_have_no_slivers() {
     for sample in IMPLICIT {
         for wanted in [3_000, 20_000, 200_000] {
-            let mesh = sample.build(wanted);
+            let mesh = built(sample, wanted);
             let mut angles: Vec<f32> =
                 mesh.triangles.iter().map(|&face| smallest_angle(corners(&mesh, face))).collect();
             angles.sort_by(f32::total_cmp);
@@ -233,10 +255,10 @@ fn implicit_samples_have_no_slivers() {
 
 #[test]
 fn the_sphere_is_round_and_the_torus_is_a_torus() {
-    let sphere = Sample::Sphere.build(20_000);
+    let sphere = built(Sample::Sphere, 20_000);
     // Rounding of unit vectors in single precision.
     assert!(sphere.positions.iter().all(|p| (p.length() - 1.0).abs() < 3e-7));
-    for p in Sample::Torus.build(20_000).positions {
+    for p in built(Sample::Torus, 20_000).positions.clone() {
         let off = (p.truncate().length() - 0.7).hypot(p.z) - 0.3;
         assert!(off.abs() < 2e-6, "{p}: {off}");
     }
@@ -263,7 +285,7 @@ fn unit_lengths(mesh: &RawMesh) -> Vec<(f32, f32, f32)> {
 #[test]
 fn uv_units_are_about_as_long_both_ways_and_not_mirrored() {
     for sample in Sample::ALL {
-        let mesh = sample.build(20_000);
+        let mesh = built(sample, 20_000);
         if mesh.uvs.is_empty() {
             assert!(IMPLICIT.contains(&sample));
             continue;
@@ -288,14 +310,17 @@ fn uv_units_are_about_as_long_both_ways_and_not_mirrored() {
 fn uv_is_continuous_or_jumps_by_whole_tiles() {
     // Caps, the cube's faces and the boards' ends are islands: seams there are stated.
     for sample in [Sample::Quad, Sample::Sphere, Sample::Torus, Sample::TorusKnot, Sample::Teapot] {
-        let mesh = sample.build(10_000);
-        let mut at: HashMap<[u32; 3], Vec<glam::Vec2>> = HashMap::new();
-        for (p, &uv) in mesh.positions.iter().zip(&mesh.uvs) {
-            at.entry((*p + 0.0).to_array().map(f32::to_bits)).or_default().push(uv);
+        let mesh = built(sample, 10_000);
+        let mut at: HashMap<([u32; 3], usize), Vec<Vec2>> = HashMap::new();
+        for (index, part) in mesh.parts.iter().enumerate() {
+            for &corner in mesh.triangles[part.triangles.clone()].iter().flatten() {
+                let (p, uv) = (mesh.positions[corner as usize], mesh.uvs[corner as usize]);
+                at.entry((bits(p), index)).or_default().push(uv);
+            }
         }
         for uvs in at.values() {
             // Poles have many: their v agrees.
-            let pole = uvs.len() > 4;
+            let pole = uvs.len() > 8;
             for uv in uvs {
                 let jump = *uv - uvs[0];
                 let off = (jump - jump.round()).abs();
@@ -325,12 +350,12 @@ fn meshes_are_the_same_on_any_number_of_threads() {
 
 #[test]
 fn the_chair_has_named_parts_with_wood_colours() {
-    let chair = Sample::Chair.build(20_000);
-    assert_eq!(chair.parts.len(), 14);
+    let chair = built(Sample::Chair, 20_000);
+    assert_eq!(chair.parts.len(), 13);
     let mut names: Vec<&str> = chair.parts.iter().map(|part| part.name.as_str()).collect();
     names.sort_unstable();
     names.dedup();
-    assert_eq!(names.len(), 14);
+    assert_eq!(names.len(), 13);
     for part in &chair.parts {
         let [r, g, b] = part.colour.expect("wood has a colour");
         assert!(r > g && g > b && b > 0.0, "{} is not brown", part.name);
@@ -341,7 +366,7 @@ fn the_chair_has_named_parts_with_wood_colours() {
 fn names_find_their_sample() {
     for sample in Sample::ALL {
         assert_eq!(Sample::named(sample.name()), Some(sample));
-        assert_eq!(sample.build(sample.least_triangles()).name, sample.name());
+        assert_eq!(built(sample, sample.least_triangles()).name, sample.name());
         assert!(!sample.description().is_empty());
     }
     assert_eq!(Sample::named("bunny"), None);

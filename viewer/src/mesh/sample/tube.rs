@@ -13,25 +13,25 @@ const TABLE: usize = 4096;
 /// A ring of radius 0.7 and thickness 0.3 that faces +z. u runs around the tube in 4 repeats of 0.47, v along the ring
 /// in 9 of 0.49 (0.28 at the hole, 0.70 outside). At least 24 triangles.
 pub(super) fn torus(triangles: usize) -> RawMesh {
-    tube(|t| vec3(0.7 * (TAU * t).cos(), 0.7 * (TAU * t).sin(), 0.0), 0.3, triangles)
+    tube(|t| vec3(0.7 * (TAU * t).cos(), 0.7 * (TAU * t).sin(), 0.0), 0.3, 4, triangles)
 }
 
 /// The (2, 3) torus knot, facing +z, of thickness 0.17. u runs around the tube in 2 repeats of 0.53, v along the knot
-/// in a whole number of about the same length. At least 24 triangles.
+/// in a whole number of about the same length. At least 144 triangles.
 pub(super) fn torus_knot(triangles: usize) -> RawMesh {
     let curve = |t: f32| {
         let (around, swing) = (2.0 * TAU * t, 3.0 * TAU * t);
         let radius = 0.56 + 0.27 * swing.cos();
         vec3(radius * around.sin(), radius * around.cos(), 0.27 * swing.sin())
     };
-    tube(curve, 0.17, triangles)
+    tube(curve, 0.17, 24, triangles)
 }
 
 /// The surface at distance `radius` around the closed `curve`, whose parameter runs from 0 to 1.
-fn tube(curve: impl Fn(f32) -> Vec3 + Sync, radius: f32, triangles: usize) -> RawMesh {
+fn tube(curve: impl Fn(f32) -> Vec3 + Sync, radius: f32, least_rows: usize, triangles: usize) -> RawMesh {
     let path = Path::new(&curve);
     let (around, along) = (repeats(TAU * radius), (path.length() / (TAU * radius) * repeats(TAU * radius)).round());
-    let sheet = |density| Sheet::open(segments(TAU * radius, density, 3), segments(path.length(), density, 4));
+    let sheet = |density| Sheet::open(segments(TAU * radius, density, 3), segments(path.length(), density, least_rows));
     let sheet = sheet(density_for(triangles, |density| sheet(density).triangles()));
     let mut mesh = RawMesh::default();
     sheet.add_to(&mut mesh, |column, row| {

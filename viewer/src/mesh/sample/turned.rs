@@ -55,18 +55,17 @@ pub(super) fn cylinder(triangles: usize) -> RawMesh {
     for up in [1.0, -1.0] {
         Sheet::open(quarter, quarter).add_to(&mut mesh, |column, row| {
             let (ring, along) = square_ring(column as i64, row as i64, quarter as i64);
-            let around = east(along * 4.0 * quarter as f32, 4 * quarter);
-            let position = around * RADIUS * ring + Vec3::Y * up;
-            let position = position * vec3(1.0, 1.0, if up > 0.0 { -1.0 } else { 1.0 });
-            let uv = vec2(position.x, -up * position.z) / unit;
-            Vertex { position, normal: Vec3::Y * up, uv }
+            // Seen from above the grid is turned over.
+            let along = if up > 0.0 { (side.columns as f32 - along) % side.columns as f32 } else { along };
+            let position = east(along, side.columns) * RADIUS * ring + Vec3::Y * up;
+            Vertex { position, normal: Vec3::Y * up, uv: vec2(-up * position.x, position.z) / unit }
         });
     }
     mesh
 }
 
-/// A grid point of a square as a point of a disc: concentric squares become concentric circles, evenly divided. The
-/// radius and the fraction of a turn from the direction of the last row to that of the last column.
+/// A point of a grid of `count` by `count` on a disc: concentric squares become concentric circles, evenly divided.
+/// Its radius, and its place around, 0..4·`count`; whole on the rim.
 ///
 /// Source: P. Shirley and K. Chiu, "A low distortion map between disk and square", JGT 2(3), 1997.
 fn square_ring(column: i64, row: i64, count: i64) -> (f32, f32) {
@@ -85,8 +84,9 @@ fn square_ring(column: i64, row: i64, count: i64) -> (f32, f32) {
     } else {
         6 * ring + y
     };
-    // On the rim an eighth of a turn is count / 2 steps: the fraction is exact in the side's columns.
-    (ring as f32 / count as f32, (eighths.rem_euclid(8 * ring)) as f32 / (8 * ring) as f32)
+    // Counted from a corner, every place on the rim is whole.
+    let around = ((eighths + ring).rem_euclid(8 * ring) * count) as f64 / (2 * ring) as f64;
+    (ring as f32 / count as f32, around as f32)
 }
 
 /// A profile turned about y, closed at both ends.

@@ -1,0 +1,28 @@
+//! Twin of `fine_tone.wgsl`: smooth tone from an array of many columns. Webb and others, "Fine tone control in hardware
+//! hatching", NPAR 2002, the volume scheme.
+
+use glam::{DVec2, DVec4};
+
+use super::lib::blend::blended_ink;
+use super::lib::columns::{column_coordinate, column_ink, map_level};
+use super::lib::light::darkness;
+use super::lib::mapping::map_surface;
+use super::lib::material::reflectance;
+use super::lib::surface::{FragmentIn, drawn, surface_point};
+use super::{Bindings, Quad};
+
+/// Ink of one pattern.
+pub fn pattern_ink(b: &Bindings<'_>, uv: DVec2, tiles_per_px: f64, d: f64) -> f64 {
+    let x = column_coordinate(b.options.form, b.material, d);
+    column_ink(b.material, b.map, uv, map_level(b.material, tiles_per_px), x)
+}
+
+/// Colour of one fragment of a quad, linear light.
+pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: bool) -> DVec4 {
+    let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
+    let point = &points[lane];
+    let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
+    let mapped = map_surface(b, &points, lane);
+    let ink = blended_ink(b.options, &mapped, d, |i, d| pattern_ink(b, mapped.patterns[i].uv, mapped.tiles_per_px, d));
+    drawn(b.scene, b.material, ink)
+}

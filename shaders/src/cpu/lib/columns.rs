@@ -1,0 +1,42 @@
+//! Twin of `lib/columns.wgsl`: from a wanted darkness to the two columns that bracket it. Praun and others, "Real-Time
+//! Hatching", 2001, section 5; Webb and others, "Fine tone control in hardware hatching", 2002, for many columns.
+
+use glam::DVec2;
+
+use super::material::{Material, column_tone};
+use crate::cpu::builtin::mix;
+use crate::cpu::{Form, MapImage};
+
+/// Place of a darkness among the columns: 0 is white, `column_count` the darkest column, piecewise linear in the columns'
+/// own tones; in the literal form as if they were evenly spaced up to black.
+pub fn column_coordinate(form: Form, material: &Material, d: f64) -> f64 {
+    let n = material.column_count;
+    if form == Form::Literal {
+        return d.clamp(0.0, 1.0) * f64::from(n);
+    }
+    let (mut low, mut high) = (0, n);
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        if column_tone(material, middle) <= d {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let a = column_tone(material, low);
+    let b = column_tone(material, high);
+    f64::from(low) + ((d - a) / (b - a).max(1e-6)).clamp(0.0, 1.0)
+}
+
+/// Level of detail for a footprint in tiles per pixel.
+pub fn map_level(material: &Material, tiles_per_px: f64) -> f64 {
+    let level = (tiles_per_px * material.size_px).max(1e-6).log2() + material.level_bias;
+    level.clamp(0.0, material.level_count - 1.0)
+}
+
+/// Ink of an array whose layer k holds column k and column k + 1 in its two channels (column 0 is white).
+pub fn column_ink(material: &Material, map: &MapImage, uv: DVec2, level: f64, x: f64) -> f64 {
+    let layer = x.floor().min(f64::from(material.column_count) - 1.0);
+    let pair = map.sample_level(uv, layer as i32, level);
+    mix(pair.x, pair.y, x - layer)
+}

@@ -1,0 +1,18 @@
+//! Twins of `wgsl/lib`.
+
+pub mod adjacency;
+pub mod blend;
+pub mod columns;
+pub mod corners;
+pub mod face_frame;
+pub mod form;
+pub mod halftone;
+pub mod light;
+pub mod mapping;
+pub mod material;
+pub mod mesh;
+pub mod mesh_types;
+pub mod octahedral;
+pub mod scene;
+pub mod surface;
+pub mod threshold;

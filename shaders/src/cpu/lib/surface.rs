@@ -1,0 +1,89 @@
+//! Twin of `lib/surface.wgsl`: the vertex stage of all methods that shade per fragment, and what their fragments know.
+
+use glam::{DVec2, DVec3, DVec4};
+
+use super::material::Material;
+use super::octahedral::oct_decode;
+use super::scene::Scene;
+use crate::cpu::Bindings;
+use crate::cpu::builtin::inverse_sqrt;
+
+/// What the vertex stage hands on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VertexOut {
+    /// Clip coordinates.
+    pub clip: DVec4,
+    /// Place in the world.
+    pub p_world: DVec3,
+    /// Smooth normal in the world, not unit.
+    pub normal: DVec3,
+    /// The mesh's own coordinates.
+    pub uv: DVec2,
+}
+
+/// What a fragment gets, interpolated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FragmentIn {
+    /// Place in the world.
+    pub p_world: DVec3,
+    /// Smooth normal in the world, not unit.
+    pub normal: DVec3,
+    /// The mesh's own coordinates.
+    pub uv: DVec2,
+    /// Triangle, counted from the first of the draw.
+    pub primitive: u32,
+}
+
+/// A surface point, as a fragment sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Place in the world.
+    pub p_world: DVec3,
+    /// Unit: the smooth normal, towards the side that is seen.
+    pub normal: DVec3,
+    /// Unit, towards the camera.
+    pub view: DVec3,
+    /// Distance along the camera's axis.
+    pub depth: f64,
+    /// The mesh's own coordinates.
+    pub uv: DVec2,
+    /// Triangle of the mesh.
+    pub face: usize,
+}
+
+/// Triangle of the mesh that a fragment lies on.
+pub fn face_of(material: &Material, input: &FragmentIn) -> usize {
+    (input.primitive + material.first_face) as usize
+}
+
+/// A vertex of the mesh on its way to the screen.
+pub fn surface_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
+    let vertex = b.mesh.vertices[index as usize];
+    let p = b.scene.world_from_mesh * vertex.position.extend(1.0);
+    VertexOut {
+        clip: b.scene.clip_from_world * p,
+        p_world: p.truncate(),
+        normal: (b.scene.world_from_mesh_normal * oct_decode(vertex.normal_oct).extend(0.0)).truncate(),
+        uv: b.mesh.uvs[(index as usize).min(b.mesh.uvs.len() - 1)],
+    }
+}
+
+/// A fragment's surface point; `front`: its front is seen.
+pub fn surface_point(scene: &Scene, material: &Material, input: &FragmentIn, front: bool) -> Point {
+    let n = input.normal * inverse_sqrt(input.normal.dot(input.normal).max(1e-20));
+    let to_camera = scene.camera_world - input.p_world;
+    Point {
+        p_world: input.p_world,
+        normal: if front { n } else { -n },
+        view: to_camera * inverse_sqrt(to_camera.dot(to_camera).max(1e-20)),
+        depth: (-to_camera.dot(scene.camera_forward)).max(1e-6),
+        uv: input.uv,
+        face: face_of(material, input),
+    }
+}
+
+/// Paper, material and ink, mixed in linear light.
+pub fn drawn(scene: &Scene, material: &Material, ink: f64) -> DVec4 {
+    let under = scene.paper.truncate() * material.colour.truncate();
+    under.lerp(scene.ink.truncate(), ink).extend(1.0)
+}

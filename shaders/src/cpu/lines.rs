@@ -1,0 +1,163 @@
+//! Twin of `lines.wgsl`: contour, border and crease lines, one quad per edge of the mesh. Praun and others, "Real-Time
+//! Hatching", 2001, section 2.
+
+use glam::{DVec2, DVec3, DVec4, Vec4};
+
+use super::lib::mesh::Mesh;
+use super::lib::mesh_types::NO_FACE;
+use super::lib::scene::Scene;
+use crate::types::{self, Edge};
+
+/// Which lines are drawn and how; fields as in [`types::LineStyle`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct LineStyle {
+    pub colour: DVec4,
+    pub width_px: f64,
+    pub crease_cosine: f64,
+    pub contours: bool,
+    pub borders: bool,
+    pub creases: bool,
+}
+
+impl From<&types::LineStyle> for LineStyle {
+    fn from(style: &types::LineStyle) -> Self {
+        Self {
+            colour: Vec4::from(style.colour).as_dvec4(),
+            width_px: style.width_px.into(),
+            crease_cosine: style.crease_cosine.into(),
+            contours: style.contours != 0,
+            borders: style.borders != 0,
+            creases: style.creases != 0,
+        }
+    }
+}
+
+/// What the vertex stage hands on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineOut {
+    /// Clip coordinates.
+    pub clip: DVec4,
+    /// Place on the screen.
+    pub place_px: DVec2,
+    /// One end of the line; the same at all four corners.
+    pub from_px: DVec2,
+    /// The other.
+    pub to_px: DVec2,
+}
+
+/// Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
+pub const PULL_WIDTHS: f64 = 1.0;
+/// How far contours stand beside their edge, in widths; a little less than half, so that no gap is left.
+pub const ASIDE_WIDTHS: f64 = 0.4;
+
+/// Whether a face is seen from its front.
+pub fn faces_camera(scene: &Scene, mesh: &Mesh<'_>, face: u32, p_world: DVec3) -> bool {
+    mesh.face_normals[face as usize].truncate().dot(scene.camera_world - p_world) > 0.0
+}
+
+/// Which line an edge is: `LINE_NONE` and so on in the shader.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum LineKind {
+    /// Not drawn.
+    None = 0,
+    /// In the middle of its edge.
+    Centred = 1,
+    /// A contour beside the edge, where the surface ends: to the right of a to b on the screen.
+    Right = 2,
+    /// The same to the left.
+    Left = 3,
+}
+
+/// The kind of line that the edge is, as far as it is wanted.
+pub fn line_kind(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, p_world: DVec3) -> LineKind {
+    let centred = |wanted: bool| if wanted { LineKind::Centred } else { LineKind::None };
+    let left = mesh.face_normals[edge.left as usize];
+    if left.w == 0.0 {
+        return LineKind::None;
+    }
+    if edge.right == NO_FACE {
+        return centred(style.borders);
+    }
+    let right = mesh.face_normals[edge.right as usize];
+    if right.w == 0.0 {
+        return LineKind::None;
+    }
+    let front = faces_camera(scene, mesh, edge.left, p_world);
+    if style.contours && front != faces_camera(scene, mesh, edge.right, p_world) {
+        return if front { LineKind::Right } else { LineKind::Left };
+    }
+    let sharp = left.truncate().dot(right.truncate()) < style.crease_cosine;
+    centred(style.creases && sharp)
+}
+
+/// Place of a vertex in the world.
+pub fn end_world(scene: &Scene, mesh: &Mesh<'_>, vertex: u32) -> DVec3 {
+    (scene.world_from_mesh * mesh.vertices[vertex as usize].position.extend(1.0)).truncate()
+}
+
+/// Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point itself.
+pub fn pulled_clip(scene: &Scene, style: &LineStyle, p_world: DVec3) -> DVec4 {
+    let clip = scene.clip_from_world * p_world.extend(1.0);
+    let depth = (p_world - scene.camera_world).dot(scene.camera_forward);
+    let pull = PULL_WIDTHS * style.width_px * scene.pixel_world_at_1 * depth;
+    let towards = (scene.camera_world - p_world).normalize();
+    let nearer = scene.clip_from_world * (p_world + pull * towards).extend(1.0);
+    DVec4::new(clip.x, clip.y, nearer.z / nearer.w.max(1e-6) * clip.w, clip.w)
+}
+
+/// Place on the screen, y down.
+pub fn px_from_clip(scene: &Scene, clip: DVec4) -> DVec2 {
+    (0.5 + 0.5 * clip.truncate().truncate() / clip.w * DVec2::new(1.0, -1.0)) * scene.viewport_px
+}
+
+/// A corner, 0 ..= 3, of an edge's quad; outside of the clip volume where the edge is not drawn.
+pub fn vertex(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, corner: u32) -> LineOut {
+    let hidden = DVec4::new(2.0, 2.0, 2.0, 1.0);
+    let mut out = LineOut { clip: hidden, place_px: DVec2::ZERO, from_px: DVec2::ZERO, to_px: DVec2::ZERO };
+    let a_world = end_world(scene, mesh, edge.a);
+    let b_world = end_world(scene, mesh, edge.b);
+    let a = pulled_clip(scene, style, a_world);
+    let b = pulled_clip(scene, style, b_world);
+    let kind = line_kind(scene, mesh, style, edge, 0.5 * (a_world + b_world));
+    if a.w <= 1e-4 || b.w <= 1e-4 || kind == LineKind::None {
+        return out;
+    }
+    let a_px = px_from_clip(scene, a);
+    let b_px = px_from_clip(scene, b);
+    let length_px = a_px.distance(b_px);
+    let along = if length_px > 1e-6 { (b_px - a_px) / length_px } else { DVec2::X };
+    let across = DVec2::new(-along.y, along.x);
+    let side = match kind {
+        LineKind::Right => 1.0,
+        LineKind::Left => -1.0,
+        LineKind::None | LineKind::Centred => 0.0,
+    };
+    let aside = ASIDE_WIDTHS * style.width_px * side;
+    out.from_px = a_px + aside * across;
+    out.to_px = b_px + aside * across;
+    let reach = 0.5 * style.width_px + 1.0;
+    let at_b = corner >= 2;
+    let side = if corner % 2 == 1 { 1.0 } else { -1.0 };
+    let middle = if at_b { out.to_px + along * reach } else { out.from_px - along * reach };
+    out.place_px = middle + across * side * reach;
+    let end = if at_b { b } else { a };
+    let ndc = (out.place_px / scene.viewport_px * 2.0 - 1.0) * DVec2::new(1.0, -1.0);
+    out.clip = DVec4::new(ndc.x * end.w, ndc.y * end.w, end.z, end.w);
+    out
+}
+
+/// Share of a pixel covered by a line with round ends; thinner than a pixel it fades instead of breaking up.
+pub fn capsule_coverage(place: DVec2, from_px: DVec2, to_px: DVec2, width_px: f64) -> f64 {
+    let v = to_px - from_px;
+    let t = ((place - from_px).dot(v) / v.dot(v).max(1e-12)).clamp(0.0, 1.0);
+    let distance_px = (place - from_px - t * v).length();
+    (0.5 * width_px + 0.5 - distance_px).max(0.0).min(width_px.min(1.0))
+}
+
+/// Colour of a fragment, linear light, alpha not multiplied in.
+pub fn fragment(style: &LineStyle, input: &LineOut) -> DVec4 {
+    let coverage = capsule_coverage(input.place_px, input.from_px, input.to_px, style.width_px);
+    style.colour.truncate().extend(style.colour.w * coverage)
+}

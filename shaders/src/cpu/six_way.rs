@@ -1,0 +1,52 @@
+//! Twin of `six_way.wgsl`: tone at the vertices, six columns blended per fragment. Praun and others, "Real-Time Hatching",
+//! 2001, section 5, and a student implementation of it.
+
+use glam::{DVec2, DVec3, DVec4};
+
+use super::lib::columns::{column_coordinate, map_level};
+use super::lib::light::darkness;
+use super::lib::mapping::{map_surface, pattern_count};
+use super::lib::material::reflectance;
+use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point, surface_vertex};
+use super::{Bindings, MapImage, Quad};
+
+/// Weights of the six columns; white has what is missing to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Weights {
+    /// Columns 1 to 3.
+    pub light: DVec3,
+    /// Columns 4 to 6.
+    pub dark: DVec3,
+}
+
+/// Weights of columns 1 to 6 for a place among them.
+pub fn column_weights(x: f64) -> Weights {
+    let tent = |columns: DVec3| (1.0 - (columns - x).abs()).max(DVec3::ZERO);
+    Weights { light: tent(DVec3::new(1.0, 2.0, 3.0)), dark: tent(DVec3::new(4.0, 5.0, 6.0)) }
+}
+
+/// Ink of a map that packs columns 1 to 3 and 4 to 6 in the colours of two layers.
+pub fn six_ink(map: &MapImage, uv: DVec2, level: f64, weights: &Weights) -> f64 {
+    let light = map.sample_level(uv, 0, level).truncate();
+    let dark = map.sample_level(uv, 1, level).truncate();
+    light.dot(weights.light) + dark.dot(weights.dark)
+}
+
+/// A vertex on its way to the screen, with the weights of its tone.
+pub fn vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Weights) {
+    let surface = surface_vertex(b, index);
+    let n = surface.normal.normalize();
+    let v = (b.scene.camera_world - surface.p_world).normalize();
+    let d = darkness(b.scene, reflectance(b.material), surface.p_world, n, v);
+    (surface, column_weights(column_coordinate(b.options.form, b.material, d)))
+}
+
+/// Colour of one fragment of a quad, linear light; `weights` are interpolated.
+pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, lane: usize, front: bool) -> DVec4 {
+    let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
+    let mapped = map_surface(b, &points, lane);
+    let level = map_level(b.material, mapped.tiles_per_px);
+    let patterns = &mapped.patterns[..pattern_count(b.options.mapping, &mapped)];
+    let ink = patterns.iter().map(|pattern| pattern.weight * six_ink(b.map, pattern.uv, level, weights)).sum();
+    drawn(b.scene, b.material, ink)
+}

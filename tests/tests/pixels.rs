@@ -1,0 +1,254 @@
+//! What an adapter draws is what the twins draw: every method, mapping and form, on a flat square and on a sphere.
+
+use glam::DVec3;
+use tam_shaders::cpu::{self, MapImage, Options};
+use tam_shaders::{Pass, types};
+use tam_tests::gpu::{Stage, front_camera, light_from};
+use tam_viewer::gpu::GpuMap;
+use tam_viewer::mesh::sample::Sample;
+use tam_viewer::mesh::{Mesh, prepare};
+use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
+use tam_viewer::{FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
+
+const SIDE: u32 = 96;
+
+/// A method's pass, what it samples, the tones of that, and whether it has a distribution table.
+struct Drawn {
+    pass: Pass,
+    map: MapImage,
+    tones: Vec<f64>,
+    distribution: Vec<Vec<f64>>,
+}
+
+fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
+    let source = &map.source;
+    let columns = |pass| Drawn {
+        pass,
+        map: column_pairs(&source.grid),
+        tones: source.grid.tones.clone(),
+        distribution: Vec::new(),
+    };
+    match params.method {
+        Method::Phong => columns(Pass::Phong),
+        Method::FaceFrame if params.face_frame == FaceFrameForm::Fetched => columns(Pass::FaceFrame),
+        Method::FaceFrame => columns(Pass::FaceFrameVertex),
+        Method::Halftone => columns(Pass::StrokeMap),
+        Method::SixWay => {
+            let six = source.six_columns();
+            let tones = six.iter().map(|column| source.grid.tones[*column]).collect();
+            Drawn { map: six_columns(&source.grid, &six), tones, ..columns(Pass::SixWay) }
+        }
+        Method::FineTone => {
+            let fine = source.fine().expect("fine tones are made");
+            Drawn { map: column_pairs(fine), tones: fine.tones.clone(), ..columns(Pass::FineTone) }
+        }
+        Method::StrokeMap => {
+            let strokes = source.stroke_map.as_ref().expect("presets have a stroke map");
+            let row = |row: &Vec<f32>| row.iter().map(|entry| f64::from(*entry)).collect();
+            Drawn {
+                pass: Pass::StrokeMap,
+                map: thresholds(strokes),
+                tones: vec![1.0],
+                distribution: strokes.distribution.iter().map(row).collect(),
+            }
+        }
+    }
+}
+
+fn options(params: &RenderParams) -> Options {
+    Options {
+        form: match params.form {
+            Form::Hardened => cpu::Form::Hardened,
+            Form::Literal => cpu::Form::Literal,
+        },
+        mapping: match params.mapping {
+            Mapping::Uv => cpu::Mapping::Uv,
+            Mapping::Frames => cpu::Mapping::Frames,
+            Mapping::Triplanar => cpu::Mapping::Triplanar,
+        },
+        blend: match params.blend {
+            tam_viewer::Blend::Union => cpu::Blend::Union,
+            tam_viewer::Blend::Linear => cpu::Blend::Linear,
+        },
+        pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
+        frames: if params.face_frame == FaceFrameForm::Vertex { cpu::Frames::Here } else { cpu::Frames::Fetched },
+    }
+}
+
+/// The material of the scene's defaults, made anew from what the parameters say.
+fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Material {
+    let by_uv = params.mapping == Mapping::Uv && params.method != Method::FaceFrame;
+    let scale = match mesh.uv_density() {
+        Some(density) if by_uv => (params.tiles_per_unit / density).round().max(1.0),
+        _ => params.tiles_per_unit,
+    } as f32;
+    let mut tones = [[0.0; 4]; 17];
+    for (k, tone) in drawn.tones.iter().enumerate() {
+        tones.as_flattened_mut()[k + 1] = *tone as f32;
+    }
+    types::Material {
+        colour: [1.0; 4],
+        ambient: 1.0,
+        diffuse: 1.0,
+        specular: 0.0,
+        shininess: 24.0,
+        tile_from_surface: [scale, 0.0, 0.0, scale],
+        shift_uv: [0.0; 2],
+        tile_scale: scale,
+        size_px: drawn.map.levels[0].size as f32,
+        level_count: drawn.map.levels.len() as f32,
+        level_bias: params.level_bias as f32,
+        column_count: drawn.tones.len() as u32,
+        first_face: 0,
+        slope: params.slope as f32,
+        line_period_px: params.line_period_px as f32,
+        distribution_entries: drawn.distribution.first().map_or(0, Vec::len) as f32,
+        _pad: 0.0,
+        tones,
+    }
+}
+
+/// How two pictures differ.
+#[derive(Debug)]
+struct Difference {
+    /// Share of the pixels drawn that differ by more than 3/255.
+    share: f64,
+    /// Mean difference over the pixels drawn.
+    mean: f64,
+    /// Share of pixels that only one of them covers.
+    outline: f64,
+}
+
+fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh) -> Difference {
+    let found = stage.draw(scene, params, mesh);
+    let drawn = drawn(params, &stage.map);
+    let material = material(params, mesh, &drawn);
+    let radius = mesh.positions.iter().map(|p| p.length()).fold(0.0, f32::max);
+    let shared = scene.shared([SIDE; 2], radius.into());
+    let triangles = 0..mesh.triangles.len() as u32;
+    let draws = [Draw { triangles, material: &material, map: &drawn.map, distribution: &drawn.distribution }];
+    let how = How { pass: drawn.pass, options: options(params), samples: 1 };
+    let twin = Reference::new(mesh).render(&shared, &draws, &how).expect("the reference draws");
+
+    let (mut pixels, mut differing, mut sum, mut outline) = (0.0, 0.0, 0.0, 0.0);
+    for (i, pixel) in found.iter().enumerate() {
+        let covered = pixel[3] != 0.0;
+        if reads_frames_of_helpers(params) && !is_inside(&twin.faces, i) {
+            continue;
+        }
+        if covered != (twin.coverage[i] > 0.0) {
+            outline += 1.0;
+        } else if covered {
+            let expected = twin.colours[i];
+            pixels += 1.0;
+            // Where the literal form divides by nothing, both do.
+            if expected.is_nan() && pixel[0].is_nan() {
+                continue;
+            }
+            let difference = (f64::from(pixel[0]) - expected.x).abs();
+            let is_close = difference <= 3.0 / 255.0;
+            differing += f64::from(!is_close);
+            sum += if difference.is_nan() { 1.0 } else { difference };
+        }
+    }
+    assert!(pixels > 0.1 * f64::from(SIDE * SIDE), "{pixels} pixels are drawn");
+    Difference { share: differing / pixels, mean: sum / pixels, outline: outline / f64::from(SIDE * SIDE) }
+}
+
+/// Whether fragments take derivatives of what comes from the faces' frames. Fragments that only help their neighbours read
+/// nothing from buffers on Mesa's software driver (22.3), so a difference to them is none.
+fn reads_frames_of_helpers(params: &RenderParams) -> bool {
+    let derives = matches!(params.method, Method::StrokeMap | Method::Halftone) && params.form == Form::Hardened;
+    derives && params.mapping == Mapping::Frames
+}
+
+/// Whether all four pixels of a pixel's quad show the same face.
+fn is_inside(faces: &[u32], i: usize) -> bool {
+    let side = SIDE as usize;
+    let (x, y) = (i % side & !1, i / side & !1);
+    let first = y * side + x;
+    [1, side, side + 1].iter().all(|step| faces[first + step] == faces[first])
+}
+
+/// Greatest share of pixels that differ, and greatest mean difference. Samplers weigh texels in steps of 1/256 and may
+/// round the result to 8 bits, which is below 3/255 nearly everywhere and 1/255 in the mean at most. A threshold makes of
+/// it up to 24 times as much at the edges of strokes, and only there.
+fn bounds(params: &RenderParams) -> (f64, f64) {
+    match params.method {
+        Method::Phong => (0.0, 1e-6),
+        Method::StrokeMap => (0.06, 0.003),
+        _ => (0.004, 0.002),
+    }
+}
+
+fn scene() -> Scene {
+    let lights = Lights { ambient: 0.15, lights: vec![light_from(DVec3::new(-0.5, 0.6, 0.7))] };
+    Scene { camera: front_camera(), lights, transparent: true, ..Scene::default() }
+}
+
+/// Every way to draw that differs: methods with their mappings, both forms, and `face-frame` in its three places.
+fn ways() -> Vec<RenderParams> {
+    let mut ways = Vec::new();
+    for method in Method::ALL {
+        for form in [Form::Hardened, Form::Literal] {
+            let base = RenderParams { method, form, silhouettes: None, ..RenderParams::default() };
+            match method {
+                Method::Phong => ways.push(base),
+                Method::FaceFrame => {
+                    ways.push(base);
+                    ways.push(RenderParams { face_frame: FaceFrameForm::Vertex, ..base });
+                    ways.push(RenderParams { face_frame: FaceFrameForm::VertexFetched, ..base });
+                }
+                _ => ways.extend(Mapping::ALL.map(|mapping| RenderParams { mapping, ..base })),
+            }
+        }
+    }
+    ways
+}
+
+fn failures(sample: Sample, triangles: usize) -> Vec<String> {
+    let mesh = prepare(sample.build(triangles)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    let mut failures = Vec::new();
+    for params in ways() {
+        let difference = compare(&mut stage, &scene(), &params, &mesh);
+        let (share, mean) = bounds(&params);
+        // Places on the screen are rounded to 1/256 of a pixel, so an outline may pass a pixel's middle on either side.
+        if difference.share > share || difference.mean > mean || difference.outline > 0.001 {
+            failures.push(format!(
+                "{} {:?} {:?} {:?}: {difference:?}",
+                params.method.name(),
+                params.mapping,
+                params.form,
+                params.face_frame
+            ));
+        }
+    }
+    failures
+}
+
+#[test]
+fn a_flat_square_is_drawn_as_the_twins_draw_it() {
+    let failures = failures(Sample::Quad, 2);
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn a_sphere_is_drawn_as_the_twins_draw_it() {
+    let failures = failures(Sample::Sphere, 800);
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn a_picture_of_another_scene_is_noticed() {
+    let mesh = prepare(Sample::Sphere.build(800)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    let params = RenderParams { silhouettes: None, ..RenderParams::default() };
+    let finer = RenderParams { tiles_per_unit: 1.01 * params.tiles_per_unit, ..params };
+    let lit = scene();
+    let found = stage.draw(&lit, &finer, &mesh);
+    let right = stage.draw(&lit, &params, &mesh);
+    // Tiles that are a hundredth smaller are more than the bounds allow.
+    let differing = found.iter().zip(&right).filter(|(a, b)| (a[0] - b[0]).abs() > 3.0 / 255.0).count();
+    assert!(differing as f64 > 0.06 * f64::from(SIDE * SIDE), "{differing}");
+}

@@ -1,0 +1,177 @@
+//! One function under test, and the harness that compares it with its twin.
+
+use std::sync::Arc;
+
+use glam::DVec4;
+use tam_shaders::cpu::{Bindings, Form, Options, Quad};
+use tam_shaders::{Capabilities, Pass, compose};
+
+use crate::draw::{Case, Draw};
+use crate::gpu::{CASES, Gpu, SIDE};
+use crate::setting::{Setting, Uploaded};
+
+/// Unit round-off of 32-bit numbers.
+pub(crate) const U: f64 = 1.0 / (1 << 24) as f64;
+/// The twin of a call: given all four cases of a quad and which is asked for.
+pub(crate) type Twin = Arc<dyn Fn(&Bindings<'_>, &Quad<Case>, usize) -> DVec4 + Send + Sync>;
+/// Whether a case is left out.
+type Undecided = fn(&Bindings<'_>, &Case) -> bool;
+
+/// A function and its twin.
+pub(crate) struct Row {
+    /// Its name in WGSL.
+    pub(crate) name: &'static str,
+    pass: Pass,
+    call: &'static str,
+    /// Constants of the pipelines it is compared in.
+    pub(crate) options: Vec<Options>,
+    inputs: fn(&Draw) -> Case,
+    /// What must come out.
+    pub(crate) twin: Twin,
+    absolute: f64,
+    relative: f64,
+    undecided: Undecided,
+}
+
+/// A row that is compared in the hardened form.
+pub(crate) fn row(name: &'static str, pass: Pass, call: &'static str, inputs: fn(&Draw) -> Case) -> Row {
+    Row {
+        name,
+        pass,
+        call,
+        options: vec![Options::default()],
+        inputs,
+        twin: Arc::new(|_, _, _| DVec4::NAN),
+        absolute: 0.0,
+        relative: 0.0,
+        undecided: |_, _| false,
+    }
+}
+
+impl Row {
+    /// Compares with a function of one fragment.
+    pub(crate) fn twin(mut self, twin: impl Fn(&Bindings<'_>, &Case) -> DVec4 + Send + Sync + 'static) -> Self {
+        self.twin = Arc::new(move |b, quad, lane| twin(b, &quad[lane]));
+        self
+    }
+
+    /// Compares with a function of the whole quad.
+    pub(crate) fn quad_twin(
+        mut self,
+        twin: impl Fn(&Bindings<'_>, &Quad<Case>, usize) -> DVec4 + Send + Sync + 'static,
+    ) -> Self {
+        self.twin = Arc::new(twin);
+        self
+    }
+
+    /// Greatest difference allowed: `absolute + relative * |twin|`, in every component. The call says why.
+    pub(crate) fn within(mut self, absolute: f64, relative: f64) -> Self {
+        (self.absolute, self.relative) = (absolute, relative);
+        self
+    }
+
+    /// Compares in these pipelines.
+    pub(crate) fn in_options(mut self, options: impl IntoIterator<Item = Options>) -> Self {
+        self.options = options.into_iter().collect();
+        self
+    }
+
+    /// Compares in both forms.
+    pub(crate) fn in_both_forms(self) -> Self {
+        self.in_options([Form::Hardened, Form::Literal].map(|form| Options { form, ..Options::default() }))
+    }
+
+    /// Leaves out cases so near to a jump that rounding decides on which side they are; one in ten at most.
+    pub(crate) fn except_where(mut self, undecided: Undecided) -> Self {
+        self.undecided = undecided;
+        self
+    }
+
+    /// What went wrong, a line for each pipeline and setting: the worst case and how many there are.
+    pub(crate) fn failures(&self, gpu: &Gpu, settings: &[Setting]) -> Vec<String> {
+        let source = self.source();
+        let mut failures = Vec::new();
+        for (i, setting) in settings.iter().enumerate() {
+            let draws: Vec<Draw> = (0..CASES).map(|index| Draw::new(self.name, i as u64, index)).collect();
+            let cases: Vec<Case> =
+                draws.iter().map(|draw| (self.inputs)(draw).map(|v| v.as_vec4().as_dvec4())).collect();
+            let uploaded = Uploaded::new(gpu, setting, &cases);
+            for options in &self.options {
+                let found = gpu.draw(&source, *options, &|name: &str| uploaded.resource(name));
+                let compared = self.compare(&setting.bindings(*options), &draws, &cases, &found);
+                failures
+                    .extend(compared.err().map(|error| format!("{} in {options:?}, setting {i}: {error}", self.name)));
+            }
+        }
+        failures
+    }
+
+    fn compare(&self, b: &Bindings<'_>, draws: &[Draw], cases: &[Case], found: &[[f32; 4]]) -> Result<(), String> {
+        let (mut left_out, mut wrong, mut worst) = (0, 0, (1.0, String::new()));
+        for (draw, found) in draws.iter().zip(found) {
+            let case = &cases[draw.index];
+            if (self.undecided)(b, case) {
+                left_out += 1;
+                continue;
+            }
+            let lane = draw.lane();
+            let first = draw.index - lane % 2 - lane / 2 * SIDE as usize;
+            let quad = Quad::from_fn(|lane| cases[first + lane % 2 + lane / 2 * SIDE as usize]);
+            let twin = (self.twin)(b, &quad, lane);
+            let found = DVec4::from(found.map(f64::from));
+            let share = ((found - twin).abs() / (self.absolute + self.relative * twin.abs())).to_array();
+            // Not a number is wrong too.
+            if !share.iter().all(|share| *share <= 1.0) {
+                wrong += 1;
+                let share =
+                    share.into_iter().map(|share| if share.is_nan() { f64::MAX } else { share }).fold(0.0, f64::max);
+                if share > worst.0 {
+                    worst = (share, format!("{found} for {twin}, {share:.2} of what is allowed, at {case:?}"));
+                }
+            }
+        }
+        if wrong > 0 {
+            return Err(format!("{wrong} of {CASES} cases differ, worst {}", worst.1));
+        }
+        if left_out * 10 > CASES {
+            return Err(format!("{left_out} of {CASES} cases are left out"));
+        }
+        Ok(())
+    }
+
+    fn source(&self) -> String {
+        let pass = compose(self.pass, Capabilities::default());
+        let call = self.call;
+        let with = |name: &str, helper: &'static str| if pass.contains(name) { helper } else { "" };
+        let helper = format!("{}{}", with("struct Point {", POINT), with("struct Pattern {", PATTERN));
+        format!(
+            "{pass}{HARNESS}{helper}@fragment\nfn harness(@builtin(position) place: vec4f) -> @location(0) vec4f {{\n\
+            let at = u32(place.y) * {SIDE}u + u32(place.x);\n\
+            let a = cases[at].a;\nlet b = cases[at].b;\nlet c = cases[at].c;\nlet d = cases[at].d;\n\
+            return {call};\n}}\n"
+        )
+    }
+}
+
+const HARNESS: &str = "
+struct Case { a: vec4f, b: vec4f, c: vec4f, d: vec4f }
+@group(3) @binding(0) var<storage, read> cases: array<Case>;
+@vertex
+fn harness_vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
+    return vec4f(f32(i & 1u) * 2.0 - 1.0, 1.0 - f32(i >> 1u) * 2.0, 0.0, 1.0);
+}
+";
+
+/// A surface point of a case; see [`crate::tables::point`].
+const POINT: &str = "
+fn case_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
+    return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, u32(d.z));
+}
+";
+
+/// A pattern as one vector.
+const PATTERN: &str = "
+fn patterned(p: Pattern) -> vec4f {
+    return vec4f(p.uv, p.weight, 0.0);
+}
+";

@@ -1,0 +1,63 @@
+//! The rows, by what they are about, with the reason of each tolerance beside it.
+
+mod frames;
+mod light;
+mod lines;
+mod maps;
+mod surface;
+
+use glam::{DVec2, DVec3, DVec4};
+use tam_shaders::cpu::lib::surface::Point;
+
+use crate::draw::{Case, Draw, OWN};
+use crate::row::Row;
+
+/// All rows.
+pub(crate) fn all() -> Vec<Row> {
+    [light::rows(), maps::rows(), frames::rows(), surface::rows(), lines::rows()].into_iter().flatten().collect()
+}
+
+/// A surface point: place and depth, normal, view, uv and face.
+pub(crate) fn any_point(draw: &Draw) -> Case {
+    let place = draw.place_within(OWN, 1.5).extend(draw.between(OWN + 3, 1.0, 6.0));
+    let uv = draw.tile(OWN + 30, 2.0);
+    let face = draw.pick(OWN + 32, crate::setting::FACES) as f64;
+    [
+        place,
+        draw.direction(OWN + 10).extend(draw.tone(OWN + 14)),
+        draw.direction(OWN + 20).extend(draw.between(OWN + 24, 0.0, 2.0)),
+        DVec4::new(uv.x, uv.y, face, draw.tone(OWN + 40)),
+    ]
+}
+
+/// The point of [`any_point`].
+pub(crate) fn point(case: &Case) -> Point {
+    Point {
+        p_world: case[0].truncate(),
+        normal: case[1].truncate(),
+        view: case[2].truncate(),
+        depth: case[0].w,
+        uv: xy(case[3]),
+        face: case[3].z as usize,
+    }
+}
+
+/// The first two components.
+pub(crate) fn xy(v: DVec4) -> DVec2 {
+    v.truncate().truncate()
+}
+
+/// Three components and 0.
+pub(crate) fn three(v: DVec3) -> DVec4 {
+    v.extend(0.0)
+}
+
+/// Two components and zeros.
+pub(crate) fn two(v: DVec2) -> DVec4 {
+    v.extend(0.0).extend(0.0)
+}
+
+/// One component and zeros.
+pub(crate) fn one(x: f64) -> DVec4 {
+    DVec4::new(x, 0.0, 0.0, 0.0)
+}

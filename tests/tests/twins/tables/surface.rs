@@ -1,0 +1,156 @@
+//! Rows of `lib/surface.wgsl` and `lib/mapping.wgsl`.
+
+use glam::{DVec2, DVec3, DVec4};
+use tam_shaders::Pass;
+use tam_shaders::cpu::lib::mapping::{
+    Mapped, footprint, frame_patterns, frame_place, map_frames, map_surface, map_triplanar, map_uv, pattern_count,
+    triplanar_weights,
+};
+use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, face_of, surface_point, surface_vertex};
+use tam_shaders::cpu::{Mapping, Options};
+
+use super::{any_point, one, point, three, two, xy};
+use crate::draw::{Case, Draw, OWN};
+use crate::row::{Row, U, row};
+
+pub(crate) fn rows() -> Vec<Row> {
+    let mut rows = surface_rows();
+    rows.extend(mapping_rows());
+    rows
+}
+
+fn surface_rows() -> Vec<Row> {
+    let vertex = |draw: &Draw| [one(draw.pick(OWN, 48) as f64), DVec4::ZERO, DVec4::ZERO, DVec4::ZERO];
+    vec![
+        // Two matrices times a point; clip coordinates are below 10.
+        row("surface_vertex", Pass::Phong, "surface_vertex(u32(a.x)).clip", vertex)
+            .twin(|b, case| surface_vertex(b, case[0].x as u32).clip)
+            .within(64.0 * U, 0.0),
+        row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).p_world, 0.0)", vertex)
+            .twin(|b, case| three(surface_vertex(b, case[0].x as u32).p_world))
+            .within(16.0 * U, 0.0),
+        row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).normal, 0.0)", vertex)
+            .twin(|b, case| three(surface_vertex(b, case[0].x as u32).normal))
+            .within(16.0 * U, 0.0),
+        row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).uv, 0.0, 0.0)", vertex)
+            .twin(|b, case| two(surface_vertex(b, case[0].x as u32).uv))
+            .within(1e-30, 0.0),
+        // A distance of 6, then unit vectors.
+        row("surface_point", Pass::Phong, "vec4f(surface_point(FragmentIn(a.xyz, b.xyz * b.w, d.xy, u32(d.z)), d.w > 0.5).normal, surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).depth)", fragments)
+            .twin(|b, case| {
+                let of = |scale: f64, front| surface_point(b.scene, b.material, &input(case, scale), front);
+                of(case[1].w, case[3].w > 0.5).normal.extend(of(1.0, true).depth)
+            })
+            .within(32.0 * U, 0.0),
+        row("surface_point", Pass::Phong, "vec4f(surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).view, surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).uv.y)", fragments)
+            .twin(|b, case| {
+                let point = surface_point(b.scene, b.material, &input(case, 1.0), true);
+                point.view.extend(point.uv.y)
+            })
+            .within(16.0 * U, 0.0),
+        row("face_of", Pass::Phong, "vec4f(f32(face_of(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)))), 0.0, 0.0, 0.0)", fragments)
+            .twin(|b, case| one(face_of(b.material, &input(case, 1.0)) as f64))
+            .within(1e-30, 0.0),
+        row("drawn", Pass::Phong, "drawn(d.w)", fragments)
+            .twin(|b, case| drawn(b.scene, b.material, case[3].w))
+            .within(4.0 * U, 0.0),
+    ]
+}
+
+fn mapping_rows() -> Vec<Row> {
+    let all_mappings =
+        || [Mapping::Uv, Mapping::Frames, Mapping::Triplanar].map(|mapping| Options { mapping, ..Options::default() });
+    vec![
+        // A quotient by 0.1 at least.
+        row("footprint", Pass::StrokeMap, "vec4f(footprint(case_point(a, b, c, d)), 0.0, 0.0, 0.0)", any_point)
+            .twin(|b, case| one(footprint(b.options.form, b.scene, b.material, &point(case))))
+            .in_both_forms()
+            .within(1e-9, 100.0 * U),
+        // A matrix that stretches to 2 at most.
+        row("frame_place", Pass::StrokeMap, "vec4f(frame_place(a.xyz), 0.0)", any_point)
+            .twin(|b, case| three(frame_place(b.options.form, b.scene, case[0].truncate())))
+            .in_both_forms()
+            .within(64.0 * U, 0.0),
+        // Round-offs of uv, below 4; a difference of them.
+        row("map_uv", Pass::StrokeMap, "vec4f(map_uv(case_point(a, b, c, d)).a.uv, map_uv(case_point(a, b, c, d)).a.weight, map_uv(case_point(a, b, c, d)).tiles_per_px)", smooth_point)
+            .quad_twin(|b, quad, lane| {
+                let mapped = map_uv(b.material, &quad.map(point), lane);
+                patterned(&mapped, 0).with_w(mapped.tiles_per_px)
+            })
+            .within(32.0 * U, 0.0),
+        row("frame_patterns", Pass::StrokeMap, "patterned(frame_patterns(a.xyz, b.xyz, face_frames[u32(d.z)])[u32(d.w * 2.99)])", any_point)
+            .twin(|b, case| {
+                let frame = &b.mesh.face_frames[case[3].z as usize];
+                let patterns = frame_patterns(b.material, case[0].truncate(), case[1].truncate(), frame);
+                patterned(&Mapped { patterns, tiles_per_px: 0.0 }, (case[3].w * 2.99) as usize)
+            })
+            .except_where(|_, case| (case[3].w * 2.99).fract() < 1e-5)
+            // As at map_uv.
+            .within(64.0 * U, 0.0),
+        row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).a)", any_point)
+            .twin(|b, case| patterned(&map_frames(b, &point(case)), 0))
+            .in_both_forms()
+            .within(128.0 * U, 0.0),
+        row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).c)", any_point)
+            .twin(|b, case| patterned(&map_frames(b, &point(case)), 2))
+            .in_both_forms()
+            .within(128.0 * U, 0.0),
+        // A cube of small numbers by logarithms that drivers have to 1e-5, over the sum of such.
+        row("triplanar_weights", Pass::StrokeMap, "vec4f(triplanar_weights(b.xyz), 0.0)", any_point)
+            .twin(|_, case| three(triplanar_weights(case[1].truncate())))
+            .within(1e-4, 0.0),
+        row("map_triplanar", Pass::StrokeMap, "patterned(map_triplanar(case_point(a, b, c, d)).a)", any_point)
+            .twin(|b, case| patterned(&map_triplanar(b.options.form, b.scene, b.material, &point(case)), 0))
+            .in_both_forms()
+            .within(1e-4, 0.0),
+        row("map_triplanar", Pass::StrokeMap, "patterned(map_triplanar(case_point(a, b, c, d)).b)", any_point)
+            .twin(|b, case| patterned(&map_triplanar(b.options.form, b.scene, b.material, &point(case)), 1))
+            .within(1e-4, 0.0),
+        row("map_triplanar", Pass::StrokeMap, "patterned(map_triplanar(case_point(a, b, c, d)).c)", any_point)
+            .twin(|b, case| patterned(&map_triplanar(b.options.form, b.scene, b.material, &point(case)), 2))
+            .within(1e-4, 0.0),
+        row("map_surface", Pass::StrokeMap, "vec4f(map_surface(case_point(a, b, c, d)).a.uv, map_surface(case_point(a, b, c, d)).a.weight, map_surface(case_point(a, b, c, d)).tiles_per_px)", smooth_point)
+            .quad_twin(|b, quad, lane| {
+                let mapped = map_surface(b, &quad.map(point), lane);
+                patterned(&mapped, 0).with_w(mapped.tiles_per_px)
+            })
+            .in_options(all_mappings())
+            .within(1e-4, 0.0),
+        row("pattern_count", Pass::StrokeMap, "vec4f(f32(pattern_count(map_frames(case_point(a, b, c, d)))), 0.0, 0.0, 0.0)", any_point)
+            .twin(|b, case| one(pattern_count(b.options.mapping, &map_frames(b, &point(case))) as f64))
+            .in_options(all_mappings())
+            .within(1e-30, 0.0),
+    ]
+}
+
+fn patterned(mapped: &Mapped, k: usize) -> DVec4 {
+    let pattern = mapped.patterns[k];
+    DVec4::new(pattern.uv.x, pattern.uv.y, pattern.weight, 0.0)
+}
+
+fn input(case: &Case, scale: f64) -> FragmentIn {
+    let normal = case[1].truncate() * scale;
+    FragmentIn { p_world: case[0].truncate(), normal, uv: xy(case[3]), primitive: case[3].z as u32 }
+}
+
+/// A point with a normal of some length, or none; in one case of twenty at the camera.
+fn fragments(draw: &Draw) -> Case {
+    let mut case = any_point(draw);
+    case[1].w = if draw.pick(OWN + 90, 20) == 0 { 0.0 } else { draw.scale(OWN + 91, 0.1, 3.0) };
+    if draw.pick(OWN + 92, 20) == 0 {
+        case[0] = DVec3::new(f64::from(0.7_f32), f64::from(0.9_f32), 4.0).extend(case[0].w);
+    }
+    case
+}
+
+/// Neighbouring places on the tile within a quad.
+fn smooth_point(draw: &Draw) -> Case {
+    let mut case = any_point(draw);
+    let lane = draw.lane() as f64;
+    let (x, y) = (lane % 2.0, (lane / 2.0).floor());
+    let (right, down) = (draw.tile(10, 0.05), draw.tile(20, 0.05));
+    let twist = DVec2::splat(draw.between(30, -0.01, 0.01));
+    let uv = draw.tile(0, 2.0) + right * x + down * y + twist * x * y;
+    (case[3].x, case[3].y) = (uv.x, uv.y);
+    case
+}

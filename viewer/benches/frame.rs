@@ -1,0 +1,176 @@
+//! What a frame costs: every method as a ratio to `phong`, interleaved, over triangles and picture sizes; the forms of
+//! `face-frame` against each other; and what loading and uploading take.
+//!
+//! `cargo bench -p tam-viewer --bench frame [-- --quick] [-- --csv FILE]`. Rows are appended to the file, with the
+//! adapter's name. Times are of the device where it has timestamps.
+#![allow(missing_docs, clippy::print_stdout)]
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::time::Instant;
+
+use tam_gen::{Job, Preset};
+use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, GpuOptions, PixelFormat, Target};
+use tam_viewer::maps::HatchMap;
+use tam_viewer::mesh::sample::Sample;
+use tam_viewer::mesh::{Mesh, prepare};
+use tam_viewer::{
+    FaceFrameForm, FrameTimer, Light, Mapping, Method, RenderError, RenderParams, Renderer, Scene, Silhouettes,
+};
+
+type Error = Box<dyn std::error::Error>;
+
+/// A way to draw, with its name in the table.
+struct Way {
+    name: &'static str,
+    params: RenderParams,
+    /// The light turns from frame to frame, so that the frames of the faces are made anew.
+    light_turns: bool,
+}
+
+fn ways() -> Vec<Way> {
+    let base = RenderParams { mapping: Mapping::Uv, silhouettes: None, ..RenderParams::default() };
+    let way = |name, method| Way { name, params: RenderParams { method, ..base }, light_turns: false };
+    let frames = |name, face_frame, light_turns| Way {
+        name,
+        params: RenderParams { method: Method::FaceFrame, face_frame, ..base },
+        light_turns,
+    };
+    let lined = RenderParams { method: Method::Phong, silhouettes: Some(Silhouettes::default()), ..base };
+    vec![
+        way("phong", Method::Phong),
+        way("six-way", Method::SixWay),
+        way("stroke-map", Method::StrokeMap),
+        way("halftone", Method::Halftone),
+        way("fine-tone", Method::FineTone),
+        frames("face-frame", FaceFrameForm::Fetched, false),
+        frames("face-frame, light turning", FaceFrameForm::Fetched, true),
+        frames("face-frame in the vertex stage", FaceFrameForm::Vertex, false),
+        frames("face-frame fetched by vertices", FaceFrameForm::VertexFetched, false),
+        Way { name: "phong with lines", params: lined, light_turns: false },
+    ]
+}
+
+struct Setting<'a> {
+    scene: Scene,
+    mesh: &'a GpuMesh,
+    map: &'a GpuMap,
+    target: &'a Target,
+    timer: &'a FrameTimer,
+}
+
+/// Time of one frame, in milliseconds.
+fn frame(renderer: &mut Renderer, setting: &mut Setting<'_>, way: &Way, number: usize) -> Result<f64, Error> {
+    if way.light_turns {
+        setting.scene.lights.lights[0] = Light::from_angles(number as f64, 40.0);
+        // The compute passes lie before the timestamps, so this one is timed from submit to finish.
+        renderer.gpu.wait()?;
+        let start = Instant::now();
+        renderer.render(&setting.scene, &way.params, setting.mesh, &[setting.map], setting.target)?;
+        renderer.gpu.wait()?;
+        return Ok(start.elapsed().as_secs_f64() * 1e3);
+    }
+    let Setting { scene, mesh, map, target, timer } = setting;
+    let time = timer.time::<RenderError>(renderer, |renderer, timer| {
+        renderer.render_timed(scene, &way.params, mesh, &[map], target, Some(timer))
+    })?;
+    Ok(time.as_secs_f64() * 1e3)
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn load(renderer: &Renderer, triangles: usize) -> Result<(Mesh, GpuMesh), Error> {
+    let raw = Sample::TorusKnot.build(triangles);
+    let start = Instant::now();
+    let mesh = prepare(raw)?.mesh;
+    let prepared = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let gpu_mesh = renderer.mesh(&mesh)?;
+    renderer.gpu.wait()?;
+    let uploaded = start.elapsed().as_secs_f64();
+    println!(
+        "\n{} triangles: prepared in {:.0} ms, uploaded in {:.0} ms, {:.0} bytes per triangle on the device",
+        mesh.triangles.len(),
+        prepared * 1e3,
+        uploaded * 1e3,
+        gpu_mesh.bytes() as f64 / mesh.triangles.len() as f64
+    );
+    Ok((mesh, gpu_mesh))
+}
+
+fn main() -> Result<(), Error> {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    // `cargo test --benches` only asks whether it builds.
+    if args.iter().any(|arg| arg == "--test") {
+        return Ok(());
+    }
+    let quick = args.iter().any(|arg| arg == "--quick");
+    let csv = args.iter().position(|arg| arg == "--csv").and_then(|i| args.get(i + 1));
+    let (counts, sizes, rounds): (&[usize], &[u32], usize) = if quick {
+        (&[1_000, 50_000], &[512], 5)
+    } else {
+        (&[1_000, 20_000, 100_000, 500_000, 2_000_000], &[512, 1024], 31)
+    };
+
+    let mut table = String::new();
+    for flat_face in [false, true] {
+        let mut renderer = Renderer::new(Gpu::open(&GpuOptions { flat_face, ..GpuOptions::default() })?);
+        let adapter = renderer.gpu.adapter.clone();
+        let timer = FrameTimer::new(&renderer.gpu);
+        println!("{adapter}{}", if flat_face { ", without primitive indices" } else { "" });
+        let preset = Preset::named("pencil").ok_or("an embedded preset")??;
+        let map = renderer.map(HatchMap::from_preset("pencil", &preset, &Job::default())?);
+        // Without primitive indices the half million is enough to compare.
+        let counts = if flat_face { &counts[counts.len() - 2..counts.len() - 1] } else { counts };
+        for triangles in counts {
+            let (mesh, gpu_mesh) = load(&renderer, *triangles)?;
+            for size in sizes {
+                let target = renderer.target([*size, *size], 1, PixelFormat::Srgb8)?;
+                let mut scene = Scene::of(&mesh);
+                scene.camera.distance = scene.camera.fit_distance(gpu_mesh.radius(), 1.0);
+                let mut setting = Setting { scene, mesh: &gpu_mesh, map: &map, target: &target, timer: &timer };
+                let mut ways = ways();
+                if flat_face {
+                    ways.retain(|way| matches!(way.name, "phong" | "face-frame"));
+                }
+                let mut times = vec![Vec::new(); ways.len()];
+                for round in 0..rounds + 2 {
+                    for (way, times) in ways.iter().zip(&mut times) {
+                        let time = frame(&mut renderer, &mut setting, way, round)?;
+                        // The first two frames make pipelines and faces.
+                        if round >= 2 {
+                            times.push(time);
+                        }
+                    }
+                }
+                let medians: Vec<f64> = times.into_iter().map(median).collect();
+                println!("  {size}x{size}, {rounds} frames each");
+                for (way, time) in ways.iter().zip(&medians) {
+                    let ratio = time / medians[0];
+                    println!("    {:32} {time:8.2} ms  {ratio:5.2} x phong", way.name);
+                    let form = if flat_face { "flat" } else { "index" };
+                    writeln!(
+                        table,
+                        "\"{}\",{},{},{size},\"{}\",{form},{time:.3},{ratio:.3},{rounds}",
+                        adapter.name,
+                        adapter.kind,
+                        mesh.triangles.len(),
+                        way.name
+                    )?;
+                }
+            }
+        }
+    }
+    if let Some(path) = csv {
+        let fresh = !std::path::Path::new(path).exists();
+        let mut file = std::fs::OpenOptions::new().create(true).append(true).open(path)?;
+        if fresh {
+            writeln!(file, "adapter,kind,triangles,side_px,method,face_id,median_ms,ratio_to_phong,frames")?;
+        }
+        file.write_all(table.as_bytes())?;
+    }
+    Ok(())
+}

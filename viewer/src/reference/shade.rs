@@ -1,0 +1,113 @@
+//! The passes that shade surfaces: what their vertices hand on, and their fragments.
+
+use glam::{DVec2, DVec3, DVec4};
+use tam_shaders::Pass;
+use tam_shaders::cpu::face_frame_vertex::HatchOut;
+use tam_shaders::cpu::lib::surface::{FragmentIn, surface_vertex};
+use tam_shaders::cpu::six_way::Weights;
+use tam_shaders::cpu::{Bindings, Quad, face_frame, face_frame_vertex, fine_tone, phong, six_way, stroke_map};
+
+use super::ReferenceError;
+
+/// A pass that shades surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shader {
+    Phong,
+    SixWay,
+    FaceFrame,
+    FaceFrameVertex,
+    StrokeMap,
+    FineTone,
+}
+
+/// What a vertex hands on; each pass fills what it has.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Corner {
+    pub(super) clip: DVec4,
+    p_world: DVec3,
+    normal: DVec3,
+    uv: DVec2,
+    six: Weights,
+    hatch: HatchOut,
+}
+
+impl Shader {
+    pub(super) fn of(pass: Pass) -> Result<Self, ReferenceError> {
+        match pass {
+            Pass::Phong => Ok(Self::Phong),
+            Pass::SixWay => Ok(Self::SixWay),
+            Pass::FaceFrame => Ok(Self::FaceFrame),
+            Pass::FaceFrameVertex => Ok(Self::FaceFrameVertex),
+            Pass::StrokeMap => Ok(Self::StrokeMap),
+            Pass::FineTone => Ok(Self::FineTone),
+            Pass::FaceGeometry | Pass::FaceFrames | Pass::Lines => Err(ReferenceError::NoSurface(pass)),
+        }
+    }
+
+    /// The corners of a triangle of the mesh.
+    pub(super) fn corners(self, b: &Bindings<'_>, face: u32) -> [Corner; 3] {
+        std::array::from_fn(|k| {
+            if self == Self::FaceFrameVertex {
+                let hatch = face_frame_vertex::vertex(b, 3 * (face - b.material.first_face) + k as u32);
+                return Corner { clip: hatch.clip, hatch, ..Corner::default() };
+            }
+            let index = b.mesh.indices[3 * face as usize + k];
+            let (surface, six) = match self {
+                Self::SixWay => six_way::vertex(b, index),
+                _ => (surface_vertex(b, index), Weights::default()),
+            };
+            let hatch = HatchOut::default();
+            Corner { clip: surface.clip, p_world: surface.p_world, normal: surface.normal, uv: surface.uv, six, hatch }
+        })
+    }
+
+    /// Colour of one fragment of a quad, linear light. `weights` are those of the corners at each fragment.
+    pub(super) fn fragment(
+        self,
+        b: &Bindings<'_>,
+        corners: &[Corner; 3],
+        primitive: u32,
+        weights: &Quad<DVec3>,
+        lane: usize,
+        front: bool,
+    ) -> DVec4 {
+        let quad = weights.map(|weights| FragmentIn {
+            p_world: mixed(*weights, corners.map(|corner| corner.p_world)),
+            normal: mixed(*weights, corners.map(|corner| corner.normal)),
+            uv: mixed(*weights, corners.map(|corner| corner.uv)),
+            primitive,
+        });
+        match self {
+            Self::Phong => phong::fragment(b, &quad[lane], front),
+            Self::FineTone => fine_tone::fragment(b, &quad, lane, front),
+            Self::StrokeMap => stroke_map::fragment(b, &quad, lane, front),
+            Self::FaceFrame => face_frame::fragment(b, &quad[lane], front),
+            Self::SixWay => {
+                let six = Weights {
+                    light: mixed(weights[lane], corners.map(|corner| corner.six.light)),
+                    dark: mixed(weights[lane], corners.map(|corner| corner.six.dark)),
+                };
+                six_way::fragment(b, &quad, &six, lane, front)
+            }
+            Self::FaceFrameVertex => {
+                let hatches = corners.map(|corner| corner.hatch);
+                face_frame_vertex::fragment(b, &mixed_hatch(weights[lane], &hatches), front)
+            }
+        }
+    }
+}
+
+fn mixed<T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>>(weights: DVec3, [a, b, c]: [T; 3]) -> T {
+    a * weights.x + b * weights.y + c * weights.z
+}
+
+fn mixed_hatch(weights: DVec3, corners: &[HatchOut; 3]) -> HatchOut {
+    HatchOut {
+        clip: corners[0].clip,
+        p_world: mixed(weights, corners.map(|corner| corner.p_world)),
+        normal: mixed(weights, corners.map(|corner| corner.normal)),
+        st: std::array::from_fn(|i| mixed(weights, corners.map(|corner| corner.st[i]))),
+        contributions: std::array::from_fn(|i| mixed(weights, corners.map(|corner| corner.contributions[i]))),
+        normals_oct: corners[0].normals_oct,
+    }
+}
