@@ -1,16 +1,28 @@
-//! Running the command `tam-gen` as its users do.
+//! Running the commands `tam-gen` and `tam-viewer` as their users do.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The command, built by the same `cargo test --workspace`.
+/// The command `tam-gen`, built by the same `cargo test --workspace`.
 ///
 /// # Panics
 /// If it has not been built.
 pub fn tam_gen_path() -> PathBuf {
+    path_of("tam-gen")
+}
+
+/// The command `tam-viewer`, likewise.
+///
+/// # Panics
+/// If it has not been built.
+pub fn tam_viewer_path() -> PathBuf {
+    path_of("tam-viewer")
+}
+
+fn path_of(name: &str) -> PathBuf {
     let test = std::env::current_exe().expect("a test is an executable");
     let folder = test.parent().and_then(Path::parent).expect("tests lie in target/PROFILE/deps");
-    let path = folder.join(format!("tam-gen{}", std::env::consts::EXE_SUFFIX));
+    let path = folder.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
     assert!(path.is_file(), "{} is missing: run `cargo test --workspace`, which builds it", path.display());
     path
 }
@@ -65,6 +77,22 @@ impl From<Output> for Run {
 /// If it cannot be run, or panics.
 pub fn tam_gen(folder: &Path, args: &[&str]) -> Run {
     tam_gen_in(folder).args(args).output().expect("the command runs").into()
+}
+
+/// `tam-viewer` on the software adapter, to be run in a folder.
+pub fn tam_viewer_in(folder: &Path) -> Command {
+    let mut command = Command::new(tam_viewer_path());
+    command.current_dir(folder).env_remove("NO_COLOR");
+    crate::adapter::pin(&mut command);
+    command
+}
+
+/// Runs `tam-viewer` on the software adapter in a folder.
+///
+/// # Panics
+/// If it cannot be run, or panics.
+pub fn tam_viewer(folder: &Path, args: &[&str]) -> Run {
+    tam_viewer_in(folder).args(args).output().expect("the command runs").into()
 }
 
 /// Every file and folder below a folder, by path relative to it, sorted.

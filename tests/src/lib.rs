@@ -1,4 +1,5 @@
 //! Helpers shared by the tests that cross crates.
 
+pub mod adapter;
 pub mod command;
 pub mod gpu;

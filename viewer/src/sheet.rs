@@ -10,6 +10,8 @@ const GAP: u32 = 26;
 const LABEL_GAP: u32 = 8;
 /// Space below the head.
 const HEAD_GAP: u32 = 22;
+/// Least width for title, description and foot.
+const LEAST_WIDTH: u32 = 400;
 
 /// What a sheet says beside its pictures.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -33,28 +35,30 @@ pub struct Labelled {
     pub remarks: Vec<String>,
 }
 
-/// Pictures in rows of `columns` (1 or more), by rows; all get the space of the largest.
+/// Rows of pictures below each other; all pictures get the space of the largest.
 ///
 /// Nothing is cut: lines are broken to the width of a picture, words that are wider still to parts.
-pub fn labelled_sheet(text: &SheetText, pictures: &[Labelled], columns: u32) -> RgbImage {
-    let columns = columns.clamp(1, (pictures.len() as u32).max(1));
-    let side = |side: fn(&RgbaImage) -> u32| pictures.iter().map(|cell| side(&cell.picture)).max().unwrap_or(1);
+pub fn labelled_sheet(text: &SheetText, rows: &[Vec<Labelled>]) -> RgbImage {
+    let side = |side: fn(&RgbaImage) -> u32| {
+        rows.iter().flatten().map(|cell| side(&cell.picture)).max().unwrap_or(LEAST_WIDTH)
+    };
     let (cell_width, cell_height) = (side(RgbaImage::width), side(RgbaImage::height));
-    let width = columns * (cell_width + GAP) - GAP;
-    let labels: Vec<Vec<(Style, String)>> = pictures.iter().map(|cell| label(cell, cell_width)).collect();
-    let rows: Vec<u32> =
-        labels.chunks(columns as usize).map(|row| row.iter().map(|l| height(l)).max().unwrap_or(0)).collect();
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(1).max(1) as u32;
+    let width = (columns * (cell_width + GAP) - GAP).max(LEAST_WIDTH);
+    let labels = |row: &Vec<Labelled>| row.iter().map(|cell| label(cell, cell_width)).collect::<Vec<_>>();
+    let labels: Vec<Vec<Vec<(Style, String)>>> = rows.iter().map(labels).collect();
+    let label_heights: Vec<u32> =
+        labels.iter().map(|row| row.iter().map(|label| height(label)).max().unwrap_or(0)).collect();
     let head = lines(&[(TITLE, &text.title), (BODY, &text.description)], width);
     let foot = lines(&[(FOOT, &text.foot)], width);
     let head_height = height(&head) + if head.is_empty() { 0 } else { HEAD_GAP };
-    let rows_height: u32 = rows.iter().map(|label| cell_height + LABEL_GAP + label + GAP).sum();
+    let rows_height: u32 = label_heights.iter().map(|label| cell_height + LABEL_GAP + label + GAP).sum();
 
-    let mut sheet =
-        RgbImage::from_pixel(2 * MARGIN + width, 2 * MARGIN + head_height + rows_height + height(&foot), GROUND);
-    let mut top = draw(&mut sheet, &head, MARGIN, MARGIN) - height(&head) + head_height;
-    for ((row, labels), label_height) in
-        pictures.chunks(columns as usize).zip(labels.chunks(columns as usize)).zip(rows)
-    {
+    let sheet_height = 2 * MARGIN + head_height + rows_height + height(&foot);
+    let mut sheet = RgbImage::from_pixel(2 * MARGIN + width, sheet_height, GROUND);
+    draw(&mut sheet, &head, MARGIN, MARGIN);
+    let mut top = MARGIN + head_height;
+    for ((row, labels), label_height) in rows.iter().zip(&labels).zip(label_heights) {
         for ((cell, label), column) in row.iter().zip(labels).zip(0..) {
             let left = MARGIN + column * (cell_width + GAP);
             let inset = (cell_width - cell.picture.width()) / 2;
@@ -100,13 +104,12 @@ fn height(lines: &[(Style, String)]) -> u32 {
     lines.iter().map(|(style, _)| style.line_px()).sum()
 }
 
-/// Draws lines below each other and returns where the next would begin.
-fn draw(sheet: &mut RgbImage, lines: &[(Style, String)], left: u32, mut top: u32) -> u32 {
+/// Draws lines below each other.
+fn draw(sheet: &mut RgbImage, lines: &[(Style, String)], left: u32, mut top: u32) {
     for (style, line) in lines {
         style.draw(sheet, left as f32, top as f32, line);
         top += style.line_px();
     }
-    top
 }
 
 /// A picture and a line around it; where it is transparent the ground shows through.
@@ -144,17 +147,18 @@ mod tests {
 
     #[test]
     fn every_picture_is_on_the_sheet_whole() {
-        let cells: Vec<_> = (0..5).map(|k| cell(60, 40, &format!("cell {k}"))).collect();
-        let sheet = labelled_sheet(&SheetText::default(), &cells, 2);
+        let cells: Vec<_> = (0..5).map(|k| cell(260, 40, &format!("cell {k}"))).collect();
+        let rows: Vec<_> = cells.chunks(2).map(<[_]>::to_vec).collect();
+        let sheet = labelled_sheet(&SheetText::default(), &rows);
         let red = sheet.pixels().filter(|pixel| pixel.0 == [200, 10, 10]).count();
-        assert_eq!(red, 5 * 60 * 40);
-        assert_eq!(sheet.width(), 2 * MARGIN + 2 * 60 + GAP);
+        assert_eq!(red, 5 * 260 * 40);
+        assert_eq!(sheet.width(), 2 * MARGIN + 2 * 260 + GAP);
     }
 
     #[test]
     fn a_sheet_without_pictures_has_its_text() {
         let text = SheetText { title: "Nothing".into(), ..SheetText::default() };
-        let sheet = labelled_sheet(&text, &[], 3);
+        let sheet = labelled_sheet(&text, &[]);
         assert!(sheet.pixels().any(|pixel| *pixel != GROUND));
     }
 }

@@ -6,7 +6,7 @@ use tam_gen::command::{Common, STYLES};
 
 const EXAMPLES: &str = "\
 Examples:
-  tam-viewer render                                   head.png: a head in pencil
+  tam-viewer render                                   torus-knot.png: a knot in pencil
   tam-viewer render --mesh ./mine.obj --map engraving
   tam-viewer compare --mesh torus-knot                all methods side by side, with what they cost
   tam-viewer turntable --path light -o light.gif      the light goes around

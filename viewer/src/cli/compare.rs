@@ -48,7 +48,7 @@ pub(super) struct CompareArgs {
     /// Rounds that are measured
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(5..=1000), default_value = "7")]
     rounds: u32,
-    /// Pictures beside each other
+    /// Pictures beside each other, at most
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=20), default_value = "4")]
     columns: u32,
     /// Sheet to write
@@ -73,7 +73,7 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     let times = measure(&mut stage, &variants, args.rounds, output)?;
     let phong = median(&times[0]);
 
-    let mut pictures = Vec::new();
+    let mut rows: Vec<(Option<Mapping>, Vec<Labelled>)> = Vec::new();
     let mut figures = Vec::new();
     let timer = FrameTimer::new(&stage.renderer.gpu);
     let scene = stage.scene.clone();
@@ -88,12 +88,19 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
         let ratio = time.as_secs_f64() / phong.as_secs_f64().max(1e-9);
         let remark = format!("{ratio:.2}x phong, {}", short(time));
         let title = title(params, args.forms);
-        pictures.push(Labelled { picture: stage.picture()?, title, remarks: vec![remark] });
+        let picture = Labelled { picture: stage.picture()?, title, remarks: vec![remark] };
+        // A row for each mapping, and for the methods that take none.
+        let of = params.method.takes_mapping().then_some(params.mapping);
+        match rows.last_mut() {
+            Some((mapping, row)) if *mapping == of && row.len() < args.columns as usize => row.push(picture),
+            _ => rows.push((of, vec![picture])),
+        }
         let mut figure = params_json(params, time);
         figure["ratio_to_phong"] = json!((ratio * 1e3).round() / 1e3);
         figures.push(figure);
     }
-    let sheet = labelled_sheet(&text(args, &stage), &pictures, args.columns);
+    let rows: Vec<Vec<Labelled>> = rows.into_iter().map(|(_, row)| row).collect();
+    let sheet = labelled_sheet(&text(args, &stage), &rows);
     interrupt::stop_if_happened()?;
     files::write_picture(&args.out, &sheet, args.force)?;
 
@@ -101,7 +108,8 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     if !output.json {
         output.remark(stage.to_text().trim_end());
     }
-    let mut report: String = pictures.iter().map(|cell| format!("{:<30} {}\n", cell.title, cell.remarks[0])).collect();
+    let mut report: String =
+        rows.iter().flatten().map(|cell| format!("{:<33} {}\n", cell.title, cell.remarks[0])).collect();
     let (width, height) = sheet.dimensions();
     let took = duration(started.elapsed());
     report += &format!("{}: {width} x {height} px; took {took}\n", args.out.display());
@@ -118,7 +126,7 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
 
 /// What is drawn: phong first, then each method with each mapping it takes, in each form wanted.
 fn variants(args: &CompareArgs, methods: &[Method], mesh: &Mesh) -> Vec<RenderParams> {
-    let given = args.view.params(Method::Phong, mesh);
+    let given = args.view.params(Method::Phong, mesh, args.size);
     let mappings: Vec<Mapping> = if args.view.mapping_given() {
         vec![given.mapping]
     } else {

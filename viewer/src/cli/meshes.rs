@@ -9,15 +9,15 @@ use tam_viewer::gpu::{Gpu, PixelFormat};
 use tam_viewer::mesh::prepare;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::sheet::{Labelled, SheetText, labelled_sheet};
-use tam_viewer::{Mapping, Method, RenderParams, Renderer, Scene};
+use tam_viewer::{Mapping, Method, RenderParams, Renderer, Scene, Silhouettes};
 
 use super::render::check_png;
 use super::stage::{frame_mesh, with_colours};
-use super::view::{AdapterArgs, method};
+use super::view::{AdapterArgs, line_width_px, method};
 use super::{report, source};
 
 /// Pictures beside each other on the sheet.
-const ACROSS: u32 = 4;
+const ACROSS: usize = 4;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -98,7 +98,12 @@ fn sheet(args: &MeshesArgs, output: &Output) -> Result<image::RgbImage, Failure>
         let mesh = prepare(sample.build(sample.default_triangles())).map_err(report::mesh)?.mesh;
         let mut scene = with_colours(Scene::of(&mesh), colours);
         frame_mesh(&mut scene, &mesh.positions, size);
-        let params = RenderParams { method: args.method, mapping: Mapping::of(&mesh), ..RenderParams::default() };
+        let params = RenderParams {
+            method: args.method,
+            mapping: Mapping::of(&mesh),
+            silhouettes: Some(Silhouettes { width_px: line_width_px(size), ..Silhouettes::default() }),
+            ..RenderParams::default()
+        };
         let on_gpu = renderer.mesh(&mesh).map_err(report::gpu)?;
         renderer.render(&scene, &params, &on_gpu, &[&map], &target).map_err(report::render)?;
         let picture = target.read(&renderer.gpu).map_err(report::gpu)?.into_image();
@@ -110,5 +115,6 @@ fn sheet(args: &MeshesArgs, output: &Output) -> Result<image::RgbImage, Failure>
         description: format!("{} with the map {}, {} px each", args.method.name(), map.source.name, args.side),
         foot: String::new(),
     };
-    Ok(labelled_sheet(&text, &pictures, ACROSS))
+    let rows: Vec<Vec<Labelled>> = pictures.chunks(ACROSS).map(<[_]>::to_vec).collect();
+    Ok(labelled_sheet(&text, &rows))
 }

@@ -14,7 +14,7 @@ use super::view::{ViewArgs, method};
 
 const EXAMPLES: &str = "\
 Examples:
-  tam-viewer render                                              head.png: a head in pencil
+  tam-viewer render                                              torus-knot.png: a knot in pencil
   tam-viewer render --mesh torus-knot --map engraving --method stroke-map
   tam-viewer render --mesh ./statue.glb --camera 40,10 --light -30,60 --light at:2,1,2,0.5
   tam-viewer render --mesh chair --object 'seat:map=woodcut,rotate=30' --size 2000x1500 -o chair.png
@@ -59,13 +59,13 @@ pub(super) fn samples(text: &str) -> Result<u32, String> {
 
 pub(super) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    let stem = args.view.mesh.file_stem().unwrap_or_default().to_string_lossy();
+    let stem = args.view.mesh.file_stem().map_or("mesh".into(), |stem| stem.to_string_lossy());
     let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}.png")));
     check_png(&path)?;
     files::check_free(&path, args.force)?;
 
     let mut stage = Stage::open(&args.view, &[args.method], args.size, args.samples, true, output)?;
-    let params = args.view.params(args.method, &stage.loaded.mesh);
+    let params = args.view.params(args.method, &stage.loaded.mesh, args.size);
     let timer = FrameTimer::new(&stage.renderer.gpu);
     let scene = stage.scene.clone();
     // The first frame makes pipelines and uploads the map; the second is what a frame takes.

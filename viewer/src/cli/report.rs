@@ -1,7 +1,6 @@
 //! Errors of the library as a user needs them: what is wrong, and the way out.
 
 use tam_gen::command::Failure;
-use tam_gen::import::ImportError;
 use tam_viewer::RenderError;
 use tam_viewer::gpu::{GpuError, MapError};
 use tam_viewer::mesh::MeshError;
@@ -47,13 +46,6 @@ pub(super) fn map(error: MapError) -> Failure {
         MapError::TooManyColumns { .. } | MapError::NotRising { .. } => {
             work("source", &error, "`tam-gen check` tells what is wrong with the map")
         }
-    }
-}
-
-pub(super) fn import(error: ImportError) -> Failure {
-    match &error {
-        ImportError::Polarity(_) => work("source", &error, "`tam-gen check --polarity …` tells more about the map"),
-        _ => error.into(),
     }
 }
 

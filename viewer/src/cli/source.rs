@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use tam_gen::command::{Failure, Output, Progress, source};
-use tam_gen::import::{self, ImportOptions};
+use tam_gen::import::{self, ImportError, ImportOptions};
 use tam_gen::preset::nearest;
 use tam_gen::{Job, Preset};
 use tam_viewer::Method;
@@ -64,11 +64,15 @@ pub(super) fn map(named: &Path, methods: &[Method], cancel: &AtomicBool, output:
 
 /// Reads a map, which must be one: a layer for each tone, with levels of detail.
 fn read(path: &Path) -> Result<HatchMap, Failure> {
-    let imported = import::read(path, &ImportOptions::default()).map_err(report::import)?;
     let wrong = |what: &str| Failure::Work {
         kind: "source",
         message: format!("{} is no tonal art map: {what}", path.display()),
         help: Some("give a preset, or a map as `tam-gen generate` writes it".to_owned()),
+    };
+    let imported = match import::read(path, &ImportOptions::default()) {
+        Ok(imported) => imported,
+        Err(ImportError::Polarity(cause)) => return Err(wrong(&format!("ink cannot be told from paper, as {cause}"))),
+        Err(error) => return Err(error.into()),
     };
     if imported.grid.columns() < 2 {
         return Err(wrong("it has one layer, and a map has an array of them, one for each tone"));

@@ -23,7 +23,7 @@ const GLANCES: u32 = 24;
 
 const EXAMPLES: &str = "\
 Examples:
-  tam-viewer turntable                                          turntable.png, an animated PNG: once around a head
+  tam-viewer turntable                                          turntable.png, an animated PNG: once around a knot
   tam-viewer turntable --path light --mesh hand -o hand.gif
   tam-viewer turntable --path deform --deform wave --mesh torus-knot -o frames/
   tam-viewer turntable --path animation --mesh ./walk.glb --frames 120 --fps 30 -o walk.png
@@ -99,7 +99,7 @@ pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> 
             "name a folder, a .png or a .gif",
         )
     })?;
-    let mut writer = FrameWriter::new(&file, args.size, args.frames, args.fps, args.force).map_err(report::write)?;
+    file.check(args.size, args.force).map_err(report::write)?;
 
     let posed = !matches!(path, Path::Deform(_));
     let mut stage = Stage::open(&args.view, &[args.method], args.size, args.samples, posed, output)?;
@@ -111,7 +111,8 @@ pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> 
     }
     let start_phase = args.view.deform.filter(|_| !posed).map_or(0.0, |deformed| deformed.phase);
     let start = start_scene(args, path, &stage);
-    let params = args.view.params(args.method, &stage.loaded.mesh);
+    let params = args.view.params(args.method, &stage.loaded.mesh, args.size);
+    let mut writer = FrameWriter::new(&file, args.size, args.frames, args.fps, args.force).map_err(report::write)?;
     let progress = Progress::new("drawing", output.quiet || output.json);
     let (mut positions, mut normals) = (Vec::new(), Vec::new());
     for frame in 0..args.frames {

@@ -19,7 +19,7 @@ use super::stage::with_colours;
 #[derive(Debug, Args)]
 pub(super) struct ViewArgs {
     /// A sample (see `tam-viewer meshes`), or an OBJ, glTF, GLB, PLY or STL file
-    #[arg(long, value_name = "NAME|FILE", default_value = "head", help_heading = "What is drawn")]
+    #[arg(long, value_name = "NAME|FILE", default_value = "torus-knot", help_heading = "What is drawn")]
     pub(super) mesh: PathBuf,
     /// A preset by name or file, generated on the fly, or a map: a KTX2 or DDS array, a folder of pictures
     #[arg(long, value_name = "PRESET|FILE", default_value = "pencil", help_heading = "What is drawn")]
@@ -70,7 +70,7 @@ pub(super) struct ViewArgs {
     /// Least distance of halftone lines
     #[arg(long, value_name = "PX", value_parser = parse::in_range(ranges::LINE_PERIOD_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     line_period: Option<f64>,
-    /// Width of contours, borders and creases, or none
+    /// Width of contours, borders and creases, or none [default: 2 in a picture of 1024 px]
     #[arg(long, value_name = "PX|none", value_parser = parse::or_none(ranges::LINE_WIDTH_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     lines: Option<OrNone>,
     /// Angle of faces above which their edge is drawn as a crease, or none
@@ -171,12 +171,18 @@ pub(super) fn method() -> impl TypedValueParser<Value = Method> {
         .map(|name| Method::named(&name).expect("the parser lets only these names through"))
 }
 
+/// Width of lines where none is given: in proportion to the picture, within what reads as a line.
+pub(super) fn line_width_px(size: [u32; 2]) -> f64 {
+    let side = f64::from(size[0].min(size[1]));
+    (Silhouettes::default().width_px * side / 1024.0).clamp(1.0, 6.0)
+}
+
 impl ViewArgs {
     /// How frames are drawn.
-    pub(super) fn params(&self, method: Method, mesh: &Mesh) -> RenderParams {
+    pub(super) fn params(&self, method: Method, mesh: &Mesh, size: [u32; 2]) -> RenderParams {
         let default = RenderParams::default();
         let lines = Silhouettes::default();
-        let width_px = self.lines.map_or(Some(lines.width_px), |lines| lines.0);
+        let width_px = self.lines.map_or(Some(line_width_px(size)), |lines| lines.0);
         let crease_deg = self.crease.map_or(lines.crease_deg, |crease| crease.0);
         RenderParams {
             method,

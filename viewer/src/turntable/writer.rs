@@ -41,6 +41,25 @@ impl FrameFile {
         }
     }
 
+    /// Refuses a place that is taken or frames that are too large, before work is put into them.
+    ///
+    /// # Errors
+    /// [`WriteError::Exists`], [`WriteError::TooLarge`].
+    pub fn check(&self, size: [u32; 2], force: bool) -> Result<(), WriteError> {
+        let path = self.path();
+        let taken = match self {
+            Self::Folder(_) => fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_some()),
+            _ => path.symlink_metadata().is_ok(),
+        };
+        if taken && !force {
+            return Err(WriteError::Exists(path.into()));
+        }
+        if matches!(self, Self::Gif(_)) && size.iter().any(|side| *side > u32::from(u16::MAX)) {
+            return Err(WriteError::TooLarge(size));
+        }
+        Ok(())
+    }
+
     /// Its path.
     pub fn path(&self) -> &Path {
         match self {
@@ -107,17 +126,8 @@ impl FrameWriter {
     /// # Errors
     /// [`WriteError`]: the place is taken and `force` is not given, or cannot be written.
     pub fn new(file: &FrameFile, size: [u32; 2], frames: u32, fps: u16, force: bool) -> Result<Self, WriteError> {
+        file.check(size, force)?;
         let path = file.path().to_path_buf();
-        let taken = match file {
-            FrameFile::Folder(_) => fs::read_dir(&path).is_ok_and(|mut entries| entries.next().is_some()),
-            _ => path.symlink_metadata().is_ok(),
-        };
-        if taken && !force {
-            return Err(WriteError::Exists(path));
-        }
-        if matches!(file, FrameFile::Gif(_)) && size.iter().any(|side| *side > u32::from(u16::MAX)) {
-            return Err(WriteError::TooLarge(size));
-        }
         let sink =
             open(file, &path, size, frames, fps).map_err(|source| WriteError::Write { path: path.clone(), source })?;
         Ok(Self { path, size, expected: frames, written: 0, fps: fps.max(1), force, sink })
