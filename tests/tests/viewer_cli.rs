@@ -90,7 +90,7 @@ fn every_option_changes_the_picture() {
         &["--level-bias", "-1"],
         &["--lines", "none"],
         &["--lines", "6"],
-        &["--crease", "none"],
+        &["--crease", "20"],
         &["--deform", "twist,0.25"],
         &["--stretch", "1,0.5,2"],
         &["--samples", "1"],
