@@ -1,8 +1,8 @@
 //! What a frame costs: every method as a ratio to `phong`, interleaved, over triangles and picture sizes; the forms of
 //! `face-frame` against each other; and what loading and uploading take.
 //!
-//! `cargo bench -p tam-viewer --bench frame [-- --quick] [-- --csv FILE]`. Rows are appended to the file, with the
-//! adapter's name. Times are of the device where it has timestamps.
+//! `cargo bench -p tam-viewer --bench frame -- [--quick] [--triangles N] [--csv FILE]`. Rows are appended to the file as
+//! they are measured, with the adapter's name. Times are of the device where it has timestamps.
 #![allow(missing_docs, clippy::print_stdout)]
 
 use std::fmt::Write as _;
@@ -115,7 +115,12 @@ fn main() -> Result<(), Error> {
         (&[1_000, 20_000, 100_000, 500_000, 2_000_000], &[512, 1024], 31)
     };
 
-    let mut table = String::new();
+    let only: Option<usize> = args
+        .iter()
+        .position(|arg| arg == "--triangles")
+        .and_then(|i| args.get(i + 1))
+        .map(|n| n.parse())
+        .transpose()?;
     for flat_face in [false, true] {
         let mut renderer = Renderer::new(Gpu::open(&GpuOptions { flat_face, ..GpuOptions::default() })?);
         let adapter = renderer.gpu.adapter.clone();
@@ -125,8 +130,10 @@ fn main() -> Result<(), Error> {
         let map = renderer.map(HatchMap::from_preset("pencil", &preset, &Job::default())?);
         // Without primitive indices the half million is enough to compare.
         let counts = if flat_face { &counts[counts.len() - 2..counts.len() - 1] } else { counts };
-        for triangles in counts {
+        for triangles in counts.iter().filter(|count| only.is_none_or(|only| only == **count)) {
             let (mesh, gpu_mesh) = load(&renderer, *triangles)?;
+            // Millions of triangles take long on a software adapter.
+            let rounds = if *triangles > 1_000_000 { rounds.min(9) } else { rounds };
             for size in sizes {
                 let target = renderer.target([*size, *size], 1, PixelFormat::Srgb8)?;
                 let mut scene = Scene::of(&mesh);
@@ -146,6 +153,7 @@ fn main() -> Result<(), Error> {
                         }
                     }
                 }
+                let mut table = String::new();
                 let medians: Vec<f64> = times.into_iter().map(median).collect();
                 println!("  {size}x{size}, {rounds} frames each");
                 for (way, time) in ways.iter().zip(&medians) {
@@ -161,16 +169,21 @@ fn main() -> Result<(), Error> {
                         way.name
                     )?;
                 }
+                if let Some(path) = csv {
+                    append(path, &table)?;
+                }
             }
         }
     }
-    if let Some(path) = csv {
-        let fresh = !std::path::Path::new(path).exists();
-        let mut file = std::fs::OpenOptions::new().create(true).append(true).open(path)?;
-        if fresh {
-            writeln!(file, "adapter,kind,triangles,side_px,method,face_id,median_ms,ratio_to_phong,frames")?;
-        }
-        file.write_all(table.as_bytes())?;
-    }
     Ok(())
+}
+
+/// Appends rows, below a heading where the file is new.
+fn append(path: &str, table: &str) -> Result<(), Error> {
+    let fresh = !std::path::Path::new(path).exists();
+    let mut file = std::fs::OpenOptions::new().create(true).append(true).open(path)?;
+    if fresh {
+        writeln!(file, "adapter,kind,triangles,side_px,method,face_id,median_ms,ratio_to_phong,frames")?;
+    }
+    Ok(file.write_all(table.as_bytes())?)
 }
