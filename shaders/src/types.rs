@@ -69,7 +69,7 @@ pub struct Scene {
 pub struct Vertex {
     /// In the mesh's space.
     pub position: [f32; 3],
-    /// Octahedral; see [`crate::cpu::octahedral::oct_encode`].
+    /// Octahedral; see [`oct_encode`](crate::cpu::lib::octahedral::oct_encode).
     pub normal_oct: u32,
 }
 

@@ -146,7 +146,7 @@ fn face_frames_follow_a_mesh_that_moves_and_a_light_that_turns() {
     let mut stage = Stage::new("fine-pen", 96);
     let target = stage.renderer.target([96, 96], 1, PixelFormat::Linear32).expect("a target");
     let mut gpu_mesh = stage.renderer.mesh(&mesh).expect("a mesh that fits");
-    let mut frame = |stage: &mut Stage, scene: &Scene, mesh: &tam_viewer::gpu::GpuMesh| {
+    let frame = |stage: &mut Stage, scene: &Scene, mesh: &tam_viewer::gpu::GpuMesh| {
         stage.renderer.render(scene, &params, mesh, &[&stage.map], &target).expect("a frame");
         target.read(&stage.renderer.gpu).expect("pixels").linear()
     };

@@ -5,6 +5,7 @@ use std::sync::Mutex;
 
 use glam::Vec3;
 use rayon::prelude::*;
+use tam_shaders::cpu::lib::octahedral::oct_encode;
 use tam_shaders::types::{self, NO_FACE};
 use wgpu::util::DeviceExt;
 
@@ -229,20 +230,7 @@ fn computed(gpu: &Gpu, label: &str, size: u64) -> wgpu::Buffer {
 }
 
 fn shared_vertex(position: Vec3, normal: Vec3) -> types::Vertex {
-    types::Vertex { position: position.into(), normal_oct: oct_encode_f32(normal) }
-}
-
-fn oct_encode_f32(n: Vec3) -> u32 {
-    let sum = n.abs().element_sum();
-    if sum.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
-        return 0;
-    }
-    let mut p = n.truncate() / sum;
-    if n.z < 0.0 {
-        p = (1.0 - glam::Vec2::new(p.y, p.x).abs()) * glam::Vec2::ONE.copysign(p);
-    }
-    let snorm = |x: f32| u32::from((x * 32767.0).round() as i16 as u16);
-    snorm(p.x) | snorm(p.y) << 16
+    types::Vertex { position: position.into(), normal_oct: oct_encode(normal.as_dvec3()) }
 }
 
 fn vertices(positions: &[Vec3], normals: &[Vec3]) -> Vec<types::Vertex> {
