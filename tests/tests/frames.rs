@@ -295,3 +295,24 @@ fn a_directional_light_is_one_that_is_far() {
     assert!(difference(&near, &stage.draw(&scene, &params, &mesh)) < 1e-6);
     assert!(difference(&near, &directional) > 0.01, "near and far differ");
 }
+
+#[test]
+fn more_than_two_million_triangles_all_get_their_frames() {
+    // Beyond 2^21 faces the compute passes run in more than one row of groups.
+    let (mesh, mut scene) = view(Sample::Sphere, 2_400_000);
+    assert!(mesh.triangles.len() > 1 << 21);
+    let mut stage = Stage::new("fine-pen", 96);
+    scene.lights = Lights { ambient: 0.3, lights: vec![Light::from_angles(60.0, 30.0)] };
+    let mean = |pixels: &[[f32; 4]]| pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / pixels.len() as f64;
+    let params = RenderParams { method: Method::FaceFrame, silhouettes: None, ..RenderParams::default() };
+    // From two sides, so that the first and the last faces are seen.
+    for elevation_deg in [-50.0, 50.0] {
+        scene.camera.elevation_deg = elevation_deg;
+        let hatched = stage.draw(&scene, &params, &mesh);
+        let wanted = stage.draw(&scene, &RenderParams { method: Method::Phong, ..params }, &mesh);
+        assert_eq!(nan_count(&hatched), 0);
+        // Faces without a frame would all be drawn at one place of the tile; the tone is the map's own otherwise.
+        let error = mean(&hatched) - mean(&wanted);
+        assert!(error.abs() < 0.03, "the mean differs by {error:.4}");
+    }
+}

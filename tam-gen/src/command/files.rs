@@ -34,7 +34,7 @@ pub fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
 /// Writes a picture as PNG, as small as it gets.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn write_picture<P>(path: &Path, picture: &ImageBuffer<P, Vec<u8>>, force: bool) -> Result<(), Failure>
 where
     P: PixelWithColorType<Subpixel = u8>,
