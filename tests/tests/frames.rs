@@ -299,7 +299,7 @@ fn a_directional_light_is_one_that_is_far() {
 #[test]
 fn more_than_two_million_triangles_all_get_their_frames() {
     // Beyond 2^21 faces the compute passes run in more than one row of groups.
-    let (mesh, mut scene) = view(Sample::Sphere, 2_400_000);
+    let (mesh, mut scene) = view(Sample::Torus, 2_400_000);
     assert!(mesh.triangles.len() > 1 << 21);
     let mut stage = Stage::new("fine-pen", 96);
     scene.lights = Lights { ambient: 0.3, lights: vec![Light::from_angles(60.0, 30.0)] };
