@@ -5,6 +5,7 @@
 //! ```
 
 pub mod mesh;
+pub mod surface;
 
 pub mod maps;
 pub mod params;

@@ -1,0 +1,212 @@
+//! The surface as a graph of nodes with tangent frames, which field, patches and stripes are computed on.
+//!
+//! A node is a normal group of the mesh: corners that share one smooth normal. Seams of the parametrisation do not
+//! show in it; hard edges separate it.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::{DQuat, DVec3};
+use rayon::prelude::*;
+
+use crate::mesh::Mesh;
+
+/// Nodes, triangles and links of a surface.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    /// Per node, in mesh space.
+    pub positions: Vec<DVec3>,
+    /// Per node, unit.
+    pub normals: Vec<DVec3>,
+    /// Per node, unit and perpendicular to the normal: angles at a node are counted from it, counter-clockwise seen
+    /// from outside.
+    pub tangents: Vec<DVec3>,
+    /// Per node: a third of the area of its triangles.
+    pub areas: Vec<f64>,
+    /// Nodes of the mesh's triangles, in the mesh's order.
+    pub triangles: Vec<[u32; 3]>,
+    /// Pairs of nodes that share a triangle, each once, sorted.
+    pub links: Vec<Link>,
+    /// Per vertex of the mesh, its node.
+    pub node_of_vertex: Vec<u32>,
+    starts: Vec<u32>,
+    ends: Vec<End>,
+}
+
+/// Two nodes of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link {
+    /// The lesser node.
+    pub a: u32,
+    /// The greater node.
+    pub b: u32,
+    /// Half the sum of the cotangents of the opposite angles, 0.02..=20.
+    pub weight: f64,
+    /// Added to an angle at `a`, it gives the angle at `b` of the same direction, carried over by the least rotation
+    /// that turns the one normal into the other.
+    pub turn_rad: f64,
+}
+
+/// A link as seen from one of its nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// The node at the other end.
+    pub node: u32,
+    /// Index of the link.
+    pub link: u32,
+}
+
+/// Bounds of the weights: slivers have cotangents without bound.
+const WEIGHTS: std::ops::RangeInclusive<f64> = 0.02..=20.0;
+
+impl Graph {
+    /// The graph of a mesh.
+    pub fn new(mesh: &Mesh) -> Self {
+        let count = mesh.normal_groups.iter().max().map_or(0, |group| *group as usize + 1);
+        let mut positions = vec![DVec3::ZERO; count];
+        let mut normals = vec![DVec3::Y; count];
+        for (vertex, group) in mesh.normal_groups.iter().enumerate() {
+            positions[*group as usize] = mesh.positions[vertex].as_dvec3();
+            normals[*group as usize] = mesh.normals[vertex].as_dvec3().try_normalize().unwrap_or(DVec3::Y);
+        }
+        let tangents = normals.par_iter().map(|normal| fixed_tangent(*normal)).collect();
+        let triangles = mesh.triangles.iter().map(|corners| corners.map(|v| mesh.normal_groups[v as usize])).collect();
+        let mut graph = Self {
+            positions,
+            normals,
+            tangents,
+            triangles,
+            node_of_vertex: mesh.normal_groups.clone(),
+            ..Self::default()
+        };
+        graph.measure();
+        graph.link();
+        graph
+    }
+
+    /// Nodes.
+    pub fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Whether there are no nodes.
+    pub fn is_empty(&self) -> bool {
+        self.positions.is_empty()
+    }
+
+    /// Links of a node.
+    pub fn ends(&self, node: usize) -> &[End] {
+        &self.ends[self.starts[node] as usize..self.starts[node + 1] as usize]
+    }
+
+    /// The third axis of a node's frame: normal x tangent.
+    pub fn bitangent(&self, node: usize) -> DVec3 {
+        self.normals[node].cross(self.tangents[node])
+    }
+
+    /// The direction at an angle of a node's frame.
+    pub fn direction(&self, node: usize, angle_rad: f64) -> DVec3 {
+        let (sin, cos) = angle_rad.sin_cos();
+        self.tangents[node] * cos + self.bitangent(node) * sin
+    }
+
+    /// The angle of a direction in a node's frame, -π..=π; what stands off the tangent plane does not count.
+    pub fn angle(&self, node: usize, direction: DVec3) -> f64 {
+        direction.dot(self.bitangent(node)).atan2(direction.dot(self.tangents[node]))
+    }
+
+    /// Added to an angle at `from`, it gives the angle of the same direction at the link's other end.
+    pub fn turn_from(&self, link: u32, from: u32) -> f64 {
+        let link = &self.links[link as usize];
+        if from == link.a { link.turn_rad } else { -link.turn_rad }
+    }
+
+    /// Length of the diagonal of the bounding box.
+    pub fn diagonal(&self) -> f64 {
+        let low = self.positions.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+        let high = self.positions.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+        if self.is_empty() { 0.0 } else { (high - low).length() }
+    }
+
+    /// Mean length of the links; 0 where there are none.
+    pub fn mean_link(&self) -> f64 {
+        let length = |link: &Link| self.positions[link.a as usize].distance(self.positions[link.b as usize]);
+        self.links.iter().map(length).sum::<f64>() / self.links.len().max(1) as f64
+    }
+
+    fn measure(&mut self) {
+        self.areas = vec![0.0; self.positions.len()];
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|node| self.positions[node as usize]);
+            let third = (b - a).cross(c - a).length() / 6.0;
+            for node in triangle {
+                self.areas[*node as usize] += third;
+            }
+        }
+    }
+
+    fn link(&mut self) {
+        // Per triangle and corner: the opposite link and the cotangent at the corner.
+        let mut halves: Vec<(u32, u32, f64)> = self
+            .triangles
+            .par_iter()
+            .flat_map_iter(|triangle| {
+                let corners = triangle.map(|node| self.positions[node as usize]);
+                (0..3).filter_map(move |k| {
+                    let (i, j) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+                    let (u, v) = (corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]);
+                    let area = u.cross(v).length().max(1e-12 * (u.length_squared() + v.length_squared()));
+                    (i != j).then(|| (i.min(j), i.max(j), 0.5 * u.dot(v) / area.max(1e-300)))
+                })
+            })
+            .collect();
+        // A stable sort: the sums are the same for any number of threads.
+        halves.par_sort_by_key(|(a, b, _)| (*a, *b));
+        let sums: Vec<(u32, u32, f64)> = halves
+            .chunk_by(|x, y| (x.0, x.1) == (y.0, y.1))
+            .map(|same| (same[0].0, same[0].1, same.iter().map(|half| half.2).sum()))
+            .collect();
+        self.links = sums
+            .par_iter()
+            .map(|&(a, b, weight)| Link {
+                a,
+                b,
+                weight: weight.clamp(*WEIGHTS.start(), *WEIGHTS.end()),
+                turn_rad: self.turn(a as usize, b as usize),
+            })
+            .collect();
+        let mut counts = vec![0u32; self.len() + 1];
+        for link in &self.links {
+            counts[link.a as usize + 1] += 1;
+            counts[link.b as usize + 1] += 1;
+        }
+        for node in 0..self.len() {
+            counts[node + 1] += counts[node];
+        }
+        self.starts = counts.clone();
+        self.ends = vec![End { node: 0, link: 0 }; 2 * self.links.len()];
+        for (index, link) in self.links.iter().enumerate() {
+            for (from, to) in [(link.a, link.b), (link.b, link.a)] {
+                let place = &mut counts[from as usize];
+                self.ends[*place as usize] = End { node: to, link: index as u32 };
+                *place += 1;
+            }
+        }
+    }
+
+    fn turn(&self, a: usize, b: usize) -> f64 {
+        let least = DQuat::from_rotation_arc(self.normals[a], self.normals[b]);
+        self.angle(b, least * self.tangents[a])
+    }
+}
+
+/// A unit vector perpendicular to a normal: level, where the normal does not stand upright.
+pub fn fixed_tangent(normal: DVec3) -> DVec3 {
+    let up = if normal.y.abs() > 0.9 { DVec3::Z } else { DVec3::Y };
+    up.cross(normal).normalize()
+}
+
+/// The same angle within -π..=π.
+pub fn wrapped(angle_rad: f64) -> f64 {
+    let turned = (angle_rad + PI).rem_euclid(TAU) - PI;
+    if turned.is_finite() { turned } else { 0.0 }
+}

@@ -1,0 +1,20 @@
+//! What a surface says about strokes: curvature, and the direction field that strokes follow.
+//!
+//! ```text
+//! mesh ─► graph ─► curvature ─► field ─► patches | stripes
+//! ```
+
+pub mod curvature;
+pub mod field;
+pub mod graph;
+pub mod guides;
+mod solve;
+
+pub use curvature::{Curvature, curvatures};
+pub use field::{Field, FieldOptions, FieldSource, field};
+pub use graph::Graph;
+pub use guides::Guide;
+pub use solve::SolveError;
+
+#[cfg(test)]
+mod tests;
