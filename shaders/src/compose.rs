@@ -88,6 +88,7 @@ pieces!(
     "mesh",
     "mesh_types",
     "octahedral",
+    "patches",
     "scene",
     "surface",
     "threshold",

@@ -168,3 +168,13 @@ pub struct Edge {
     /// Face on the other, or [`NO_FACE`].
     pub right: u32,
 }
+
+/// `PatchEntry` of `lib/patches.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct PatchEntry {
+    /// Place of each corner on the tile.
+    pub places: [u32; 3],
+    /// Per corner the distance behind the nearest patch, or the alpha.
+    pub shares: u32,
+}

@@ -55,6 +55,8 @@ pub const SHININESS: Range = Range::new(1.0, 1000.0, "");
 pub const TILES_PER_UNIT: Range = Range::new(0.01, 100.0, "tiles per unit");
 /// Scale of strokes, and of the mesh along an axis.
 pub const SCALE: Range = Range::new(0.01, 100.0, "");
+/// How far directions spread.
+pub const SMOOTHING: Range = Range::new(0.1, 10.0, "");
 /// Shift of the tile.
 pub const SHIFT: Range = Range::new(-1000.0, 1000.0, "tiles");
 /// Added to the level of detail.

@@ -26,7 +26,7 @@ pub use lib::octahedral;
 pub use options::{Blend, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
-use lib::{material::Material, mesh::Mesh, scene::Scene};
+use lib::{material::Material, mesh::Mesh, patches::PatchTable, scene::Scene};
 
 /// All that a drawing pass is bound to.
 #[derive(Clone, Copy, Debug)]
@@ -44,4 +44,6 @@ pub struct Bindings<'a> {
     /// Group 2, binding 3: rows of the distribution table, one per half level; may be empty where the material's
     /// `distribution_entries` is 0.
     pub distribution: &'a [Vec<f64>],
+    /// Group 3; empty where the mapping is of another kind.
+    pub patches: PatchTable<'a>,
 }

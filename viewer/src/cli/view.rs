@@ -14,6 +14,7 @@ use tam_viewer::{Blend, Form, Light, Mapping, Method, RenderParams, Scene, Silho
 use super::object::{ObjectArg, object};
 use super::parse::{self, Colour, Deformed, OrNone, Orbit, Specular};
 use super::stage::with_colours;
+use super::surface::SurfaceArgs;
 
 /// What is drawn and how.
 #[derive(Debug, Args)]
@@ -40,6 +41,8 @@ pub(super) struct ViewArgs {
     /// How strokes lie on the surface; auto: by the mesh's uv where it has one, else triplanar
     #[arg(long, value_enum, default_value = "auto", help_heading = "How it is hatched")]
     mapping: MappingArg,
+    #[command(flatten)]
+    pub(super) surface: SurfaceArgs,
     /// With the remedies for known failures, or as the paper prints it
     #[arg(long, value_enum, default_value = "hardened", help_heading = "How it is hatched")]
     form: FormArg,
@@ -141,6 +144,10 @@ pub(super) enum MappingArg {
     Frames,
     /// Three planes, blended by the normal
     Triplanar,
+    /// Overlapping patches that follow the form
+    Patches,
+    /// Lapped patches, as Praun and others paint them
+    Lapped,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -191,6 +198,8 @@ impl ViewArgs {
                 MappingArg::Uv => Mapping::Uv,
                 MappingArg::Frames => Mapping::Frames,
                 MappingArg::Triplanar => Mapping::Triplanar,
+                MappingArg::Patches => Mapping::Patches,
+                MappingArg::Lapped => Mapping::Lapped,
             },
             form: match self.form {
                 FormArg::Hardened => Form::Hardened,
@@ -207,6 +216,16 @@ impl ViewArgs {
             silhouettes: width_px.map(|width_px| Silhouettes { width_px, crease_deg, ..lines }),
             ..default
         }
+    }
+
+    /// The mappings that a method draws with, as far as they are known without the mesh.
+    pub(super) fn mappings(&self, method: Method) -> Vec<Mapping> {
+        let named = match self.mapping {
+            MappingArg::Patches => Some(Mapping::Patches),
+            MappingArg::Lapped => Some(Mapping::Lapped),
+            _ => None,
+        };
+        named.into_iter().filter(|_| method.takes_mapping()).collect()
     }
 
     /// The mapping asked for by name, if any.

@@ -21,6 +21,7 @@ use rayon::prelude::*;
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh as MeshView;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
+use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::{Bindings, MapImage, Options, face_frames, face_geometry, octahedral};
 use tam_shaders::{Pass, types};
@@ -74,6 +75,8 @@ pub struct Draw<'a> {
     pub map: &'a MapImage,
     /// Rows of the distribution table, for stroke maps.
     pub distribution: &'a [Vec<f64>],
+    /// Patches of the whole mesh, for the mappings that draw with them.
+    pub patches: PatchTable<'a>,
 }
 
 /// How a picture is made.
@@ -138,6 +141,7 @@ impl Reference {
                 material,
                 map: draw.map,
                 distribution: draw.distribution,
+                patches: draw.patches,
             })
             .collect();
         let samples = how.samples as usize;

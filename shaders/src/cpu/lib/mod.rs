@@ -13,6 +13,7 @@ pub mod material;
 pub mod mesh;
 pub mod mesh_types;
 pub mod octahedral;
+pub mod patches;
 pub mod scene;
 pub mod surface;
 pub mod threshold;
