@@ -63,7 +63,7 @@ pub struct Field {
 }
 
 /// Distance over which clear directions reach into unclear places, as a share of the diagonal, at smoothing 1.
-const REACH: f64 = 0.04;
+const REACH: f64 = 0.08;
 
 /// Radius of curvature, as a share of the diagonal, below which an anisotropic place is clear.
 const CLEAR_RADIUS: f64 = 0.25;

@@ -21,4 +21,4 @@ pub use patches::{PatchOptions, Patches, patches};
 pub use solve::SolveError;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

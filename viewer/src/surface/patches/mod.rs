@@ -129,3 +129,6 @@ pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: 
         .collect();
     corners::gather(graph, field, &density, &visits, options)
 }
+
+#[cfg(test)]
+mod tests;
