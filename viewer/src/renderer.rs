@@ -207,7 +207,7 @@ fn material_of(
         slope: params.slope as f32,
         line_period_px: params.line_period_px as f32,
         distribution_entries: if kind == MapKind::Strokes { map.distribution_entries as f32 } else { 0.0 },
-        _pad: 0.0,
+        cross_from: params.cross_from.unwrap_or(1.0) as f32,
         tones,
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::{DMat4, DVec2, DVec3, Vec2, Vec3};
 use tam_gen::{Job, Map, Preset, generate};
-use tam_shaders::cpu::{MapImage, Options};
+use tam_shaders::cpu::{MapImage, Options, StripeTable};
 use tam_shaders::{Pass, types};
 
 use super::{Draw, How, Reference, ReferenceError, column_pairs, thresholds};
@@ -76,7 +76,7 @@ fn material(tones: &[f64], size: u32, levels: usize, distribution_entries: usize
         slope: 6.0,
         line_period_px: 6.0,
         distribution_entries: distribution_entries as f32,
-        _pad: 0.0,
+        cross_from: 1.0,
         tones: all,
     }
 }
@@ -89,7 +89,7 @@ fn pencil() -> Map {
 
 fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<f64>]) -> f64 {
     let reference = Reference::new(&square());
-    let draws = [Draw { triangles: 0..2, material, map, distribution }];
+    let draws = [Draw { triangles: 0..2, material, map, distribution, stripes: StripeTable::default() }];
     let how = How { pass, options: Options::default(), samples: 2 };
     let picture = reference.render(&scene(d), &draws, &how).unwrap();
     assert!(picture.coverage.iter().all(|share| *share == 1.0), "the square fills the picture");
@@ -149,7 +149,7 @@ fn phong_draws_the_darkness_itself_and_leaves_the_rest_uncovered() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draws = [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[] }];
+    let draws = [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }];
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 4 };
     let picture = reference.render(&scene(0.3), &draws, &how).unwrap();
     // One triangle of the two; the diagonal belongs to it.
@@ -166,7 +166,7 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draw = |triangles| [Draw { triangles, material: &material, map: &map, distribution: &[] }];
+    let draw = |triangles| [Draw { triangles, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }];
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 1 };
     let lines = How { pass: Pass::Lines, ..how };
     assert_eq!(reference.render(&scene(0.5), &draw(0..2), &lines), Err(ReferenceError::NoSurface(Pass::Lines)));

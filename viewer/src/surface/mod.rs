@@ -9,12 +9,14 @@ pub mod field;
 pub mod graph;
 pub mod guides;
 mod solve;
+pub mod stripes;
 
 pub use curvature::{Curvature, curvatures};
 pub use field::{Field, FieldOptions, FieldSource, field};
 pub use graph::Graph;
 pub use guides::Guide;
 pub use solve::SolveError;
+pub use stripes::{StripeError, StripeOptions, Stripes, stripes};
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

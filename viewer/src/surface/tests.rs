@@ -9,7 +9,7 @@ use crate::mesh::sample::Sample;
 use crate::mesh::{Mesh, RawMesh, prepare};
 
 /// A sheet of `p(u, v)`, u and v in 0..=1, with the ends joined where they meet.
-fn sheet(columns: u32, rows: u32, p: impl Fn(f64, f64) -> DVec3) -> Mesh {
+pub(crate) fn sheet(columns: u32, rows: u32, p: impl Fn(f64, f64) -> DVec3) -> Mesh {
     let mut raw = RawMesh::default();
     for row in 0..=rows {
         for column in 0..=columns {
@@ -31,7 +31,7 @@ fn sheet(columns: u32, rows: u32, p: impl Fn(f64, f64) -> DVec3) -> Mesh {
     prepare(raw).expect("a mesh").mesh
 }
 
-fn field_of(mesh: &Mesh, options: &FieldOptions) -> (Graph, Field) {
+pub(crate) fn field_of(mesh: &Mesh, options: &FieldOptions) -> (Graph, Field) {
     let graph = Graph::new(mesh);
     let curvatures = curvatures(&graph);
     let field = field(&graph, mesh, &curvatures, options).expect("a field");

@@ -1,6 +1,7 @@
 //! Twins of `wgsl/lib`.
 
 pub mod adjacency;
+pub mod barycentric;
 pub mod blend;
 pub mod columns;
 pub mod corners;
@@ -14,5 +15,6 @@ pub mod mesh;
 pub mod mesh_types;
 pub mod octahedral;
 pub mod scene;
+pub mod stripes;
 pub mod surface;
 pub mod threshold;

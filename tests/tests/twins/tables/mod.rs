@@ -4,6 +4,7 @@ mod frames;
 mod light;
 mod lines;
 mod maps;
+mod stripes;
 mod surface;
 
 use glam::{DVec2, DVec3, DVec4};
@@ -14,7 +15,10 @@ use crate::row::Row;
 
 /// All rows.
 pub(crate) fn all() -> Vec<Row> {
-    [light::rows(), maps::rows(), frames::rows(), surface::rows(), lines::rows()].into_iter().flatten().collect()
+    [light::rows(), maps::rows(), frames::rows(), surface::rows(), lines::rows(), stripes::rows()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// A surface point: place and depth, normal, view, uv and face.
