@@ -22,15 +22,8 @@ pub enum Method {
 
 impl Method {
     /// All methods, the yardstick first.
-    pub const ALL: [Self; 7] = [
-        Self::Phong,
-        Self::SixWay,
-        Self::FaceFrame,
-        Self::StrokeMap,
-        Self::Halftone,
-        Self::FineTone,
-        Self::Stripes,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Phong, Self::SixWay, Self::FaceFrame, Self::StrokeMap, Self::Halftone, Self::FineTone, Self::Stripes];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {

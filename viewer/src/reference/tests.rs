@@ -149,7 +149,8 @@ fn phong_draws_the_darkness_itself_and_leaves_the_rest_uncovered() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draws = [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }];
+    let draws =
+        [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }];
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 4 };
     let picture = reference.render(&scene(0.3), &draws, &how).unwrap();
     // One triangle of the two; the diagonal belongs to it.
@@ -166,7 +167,9 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draw = |triangles| [Draw { triangles, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }];
+    let draw = |triangles| {
+        [Draw { triangles, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }]
+    };
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 1 };
     let lines = How { pass: Pass::Lines, ..how };
     assert_eq!(reference.render(&scene(0.5), &draw(0..2), &lines), Err(ReferenceError::NoSurface(Pass::Lines)));

@@ -51,37 +51,6 @@ impl Factor<f64> {
         }
         lower.factorised()
     }
-
-    /// Factorises a matrix with two rows per node. For each link it has -w B in the rows of the second node and the
-    /// columns of the first, B being a rotation or reflection given by its rows, and w on both diagonals; and `mass` on
-    /// the diagonal of each node.
-    pub(crate) fn of_blocks(
-        graph: &Graph,
-        mass: &[f64],
-        block: impl Fn(usize) -> [[f64; 2]; 2],
-    ) -> Result<Self, SolveError> {
-        let mut diagonal = mass.to_vec();
-        for link in &graph.links {
-            diagonal[link.a as usize] += link.weight;
-            diagonal[link.b as usize] += link.weight;
-        }
-        let mut lower = LowerColumns::new(2 * graph.len(), 4 * graph.links.len());
-        let mut first = 0;
-        for (node, own) in diagonal.iter().enumerate() {
-            let links = graph.links[first..].iter().take_while(|link| link.a as usize == node).count();
-            for column in 0..2 {
-                lower.push(2 * node + column, *own);
-                for (index, link) in graph.links[first..first + links].iter().enumerate() {
-                    let block = block(first + index);
-                    lower.push(2 * link.b as usize, -link.weight * block[0][column]);
-                    lower.push(2 * link.b as usize + 1, -link.weight * block[1][column]);
-                }
-                lower.end_column();
-            }
-            first += links;
-        }
-        lower.factorised()
-    }
 }
 
 /// The lower triangle of a matrix, column by column, rows increasing; links are sorted so.

@@ -47,11 +47,7 @@ pub(super) fn loops(graph: &Graph) -> Vec<Option<Loop>> {
         let end = graph.ends(from as usize).iter().find(|end| end.node == to)?;
         Some(Side { link: end.link, forward: from < to })
     };
-    graph
-        .triangles
-        .par_iter()
-        .map(|[a, b, c]| Some([side(*a, *b)?, side(*b, *c)?, side(*c, *a)?]))
-        .collect()
+    graph.triangles.par_iter().map(|[a, b, c]| Some([side(*a, *b)?, side(*b, *c)?, side(*c, *a)?])).collect()
 }
 
 /// Growths of all links for lines that run at these angles.
@@ -85,6 +81,11 @@ pub(super) fn steps(graph: &Graph, growths: &[Growth], frequencies: &[f64]) -> V
 impl Step {
     /// Growth from `side`'s start to its end, in the sign of its start.
     pub(super) fn along(&self, side: Side) -> f64 {
-        if side.forward { self.lines } else { -self.sign * self.lines }
+        self.from(side.forward)
+    }
+
+    /// Growth to the other end, in the sign of the end it starts from.
+    pub(super) fn from(&self, first: bool) -> f64 {
+        if first { self.lines } else { -self.sign * self.lines }
     }
 }

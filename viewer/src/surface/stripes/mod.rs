@@ -1,7 +1,7 @@
 //! Stripes: one line field over the whole surface, as engravers draw, from the direction field.
 //!
 //! ```text
-//! field ─► growth (per link) ─► spacing (per node) ─► wave (per node) ─► phases (per triangle corner)
+//! field ─► growth (per link) ─► spacing (per node) ─► wave (per cluster) ─► settle (per node) ─► phases (per corner)
 //! ```
 //!
 //! The phase counts lines: it is whole in the middle of each, grows across them, and is known up to sign and whole
@@ -12,8 +12,10 @@
 //! must branch off wherever directions spread. Ours may stand closer where directions draw together ([`spacing`]),
 //! since drawing doubles them by their distance on the screen; few branches are left.
 
+mod clusters;
 mod growth;
 mod phases;
+mod settle;
 mod spacing;
 mod wave;
 
@@ -94,6 +96,8 @@ fn lines(
     let growths = growths(graph, &angles_rad);
     let frequencies = spacing::frequencies(graph, loops, &growths, &angles_rad, options.lines_per_unit)?;
     let steps = growth::steps(graph, &growths, &frequencies);
-    let wave = wave::wave(graph, &steps)?;
-    Ok(phases::phases(graph, loops, &steps, &wave))
+    let clusters = clusters::clusters(graph, &steps);
+    let wave = wave::wave(graph, &steps, &clusters)?;
+    let settled = settle::settled(graph, &steps, &clusters, &wave)?;
+    Ok(phases::phases(graph, loops, &steps, &settled))
 }

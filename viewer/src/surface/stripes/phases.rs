@@ -5,38 +5,37 @@
 //! its middle. Where the field is singular the phase comes back with the other sign; it is then linear between the
 //! sides and the middle, which lies on a line or half-way between two, so that it is its own mirror image.
 
-use std::f64::consts::TAU;
-
-use glam::DVec2;
 use rayon::prelude::*;
 use tam_shaders::types::StripePhases;
 
-use super::growth::{Loop, Step};
+use super::growth::{Loop, Side, Step};
 use crate::surface::graph::Graph;
 
 /// The phases of all triangles.
-pub(super) fn phases(graph: &Graph, loops: &[Option<Loop>], steps: &[Step], wave: &[DVec2]) -> Vec<StripePhases> {
-    let turns: Vec<f64> = wave.par_iter().map(|wave| wave.to_angle() / TAU).collect();
+pub(super) fn phases(graph: &Graph, loops: &[Option<Loop>], steps: &[Step], settled: &[f64]) -> Vec<StripePhases> {
     graph
         .triangles
         .par_iter()
         .zip(loops)
         .map(|(triangle, sides)| match sides {
-            Some(sides) => of_triangle(triangle.map(|node| turns[node as usize]), sides.map(|s| (steps[s.link as usize], s))),
+            Some(sides) => of_triangle(
+                triangle.map(|node| settled[node as usize]),
+                sides.map(|side| (steps[side.link as usize], side)),
+            ),
             None => StripePhases::default(),
         })
         .collect()
 }
 
-fn of_triangle(turns: [f64; 3], sides: [(Step, super::growth::Side); 3]) -> StripePhases {
+fn of_triangle(settled: [f64; 3], sides: [(Step, Side); 3]) -> StripePhases {
     let mut sign = 1.0;
     // Corner 0, 1, 2, and corner 0 again after the way round.
-    let mut phases = [turns[0]; 4];
+    let mut phases = [settled[0]; 4];
     for (k, (step, side)) in sides.into_iter().enumerate() {
         let asked = sign * step.along(side);
-        let from = sign * turns[k];
+        let from = sign * settled[k];
         sign *= step.sign;
-        let off = sign * turns[(k + 1) % 3] - from - asked;
+        let off = sign * settled[(k + 1) % 3] - from - asked;
         phases[k + 1] = phases[k] + asked + (off - off.round());
     }
     let [a, b, c, again] = phases;

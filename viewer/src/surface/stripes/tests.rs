@@ -1,15 +1,12 @@
 //! Phases against the field they follow and against each other across links.
 
-use std::collections::HashMap;
-use std::f64::consts::TAU;
-
-use glam::{DVec3, Vec3, vec3};
+use glam::DVec3;
 
 use super::*;
+use crate::mesh::prepare;
 use crate::mesh::sample::Sample;
-use crate::mesh::{Mesh, RawMesh, prepare};
-use crate::surface::tests::{field_of, sheet};
-use crate::surface::{FieldOptions, FieldSource};
+use crate::surface::FieldOptions;
+use crate::surface::tests::field_of;
 
 /// Gradient of the phase in a triangle where it is linear.
 fn gradient(graph: &Graph, triangle: usize, phases: &StripePhases) -> Option<DVec3> {
@@ -72,12 +69,12 @@ fn seen(graph: &Graph, field: &Field, across: bool, stripes: &[StripePhases]) ->
 #[ignore = "prints figures; run it in release"]
 fn figures_of_samples() {
     for sample in [Sample::Hand, Sample::Head, Sample::TorusKnot, Sample::Teapot] {
-        for triangles in [5_000, 20_000, 200_000] {
+        for triangles in [5_000, 20_000, 100_000] {
             let mesh = prepare(sample.build(triangles)).expect("a sample").mesh;
             let start = std::time::Instant::now();
             let (graph, field) = field_of(&mesh, &FieldOptions::default());
             let field_s = start.elapsed().as_secs_f64();
-            for lines_per_unit in [2.0, 4.0, 8.0] {
+            for lines_per_unit in [4.0] {
                 let start = std::time::Instant::now();
                 let options = StripeOptions { lines_per_unit, across: false };
                 let stripes = stripes(&graph, &field, &options).expect("stripes");
