@@ -94,6 +94,7 @@ pieces!(
     "mesh",
     "mesh_types",
     "octahedral",
+    "patches",
     "scene",
     "stripes",
     "surface",

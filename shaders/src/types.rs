@@ -193,3 +193,13 @@ impl StripePhases {
         Self { corners, code: sum << 1 | 1 }
     }
 }
+
+/// `PatchEntry` of `lib/patches.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct PatchEntry {
+    /// Place of each corner on the tile.
+    pub places: [u32; 3],
+    /// Per corner the distance behind the nearest patch, or the alpha.
+    pub shares: u32,
+}

@@ -4,10 +4,11 @@ use std::any::type_name;
 use std::mem::{offset_of, size_of};
 
 use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
-use tam_shaders::cpu::lib::{face_frame, scene, threshold};
+use tam_shaders::cpu::lib::{face_frame, patches, scene, threshold};
 use tam_shaders::cpu::{Blend, Form, Frames, Mapping, PatternKind, face_geometry, lines};
 use tam_shaders::types::{
-    Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, Scene, StripePhases, Vertex,
+    Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
+    Vertex,
 };
 use tam_shaders::{Capabilities, Pass, compose};
 
@@ -91,6 +92,7 @@ fn records() -> Vec<Record> {
         record!(StripePhases { corners, code }),
         record!(LineStyle { colour, width_px, crease_cosine, contours, borders, creases, _pad_a, _pad_b, _pad_c }),
         record!(Edge { a, b, left, right }),
+        record!(PatchEntry { places, shares }),
     ]
 }
 
@@ -218,6 +220,11 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("MAPPING_UV", Mapping::Uv as u32 as f64),
         ("MAPPING_FRAMES", Mapping::Frames as u32 as f64),
         ("MAPPING_TRIPLANAR", Mapping::Triplanar as u32 as f64),
+        ("MAPPING_PATCHES", Mapping::Patches as u32 as f64),
+        ("MAPPING_LAPPED", Mapping::Lapped as u32 as f64),
+        ("MAX_PATCHES", patches::MAX_PATCHES as f64),
+        ("PLACE_RANGE", patches::PLACE_RANGE),
+        ("BEHIND_RANGE", patches::BEHIND_RANGE),
         ("BLEND", Blend::default() as u32 as f64),
         ("BLEND_UNION", Blend::Union as u32 as f64),
         ("BLEND_LINEAR", Blend::Linear as u32 as f64),

@@ -18,5 +18,5 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
 fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
-    return drawn(blended_ink(map_surface(point), d));
+    return drawn(surface_ink(point, d));
 }

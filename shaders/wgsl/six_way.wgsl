@@ -4,7 +4,7 @@
 //!include lib/surface.wgsl
 //!include lib/light.wgsl
 //!include lib/columns.wgsl
-//!include lib/mapping.wgsl
+//!include lib/blend.wgsl
 
 struct Weights {
     light: vec3f,
@@ -61,12 +61,28 @@ fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
     return out;
 }
 
+// The tone that interpolated weights stand for.
+fn weighted_tone(weights: Weights) -> f32 {
+    let light = vec3f(column_tone(1u), column_tone(2u), column_tone(3u));
+    let dark = vec3f(column_tone(4u), column_tone(5u), column_tone(6u));
+    return dot(weights.light, light) + dot(weights.dark, dark);
+}
+
+// Ink at a tone, for patterns that the blend draws at another one than the vertices'.
+fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
+    return six_ink(uv, map_level(tiles_per_px), column_weights(column_coordinate(d)));
+}
+
 @fragment
 fn fragment(in: FragmentIn, six: SixWayIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
-    let mapped = map_surface(surface_point(in, front));
-    let level = map_level(mapped.tiles_per_px);
+    let point = surface_point(in, front);
     // Interpolation rounds a little below 0.
     let weights = Weights(max(six.light, vec3f(0.0)), max(six.dark, vec3f(0.0)));
+    if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
+        return drawn(surface_ink(point, weighted_tone(weights)));
+    }
+    let mapped = map_surface(point);
+    let level = map_level(mapped.tiles_per_px);
     let patterns = array<Pattern, 3>(mapped.a, mapped.b, mapped.c);
     let count = pattern_count(mapped);
     var ink = 0.0;

@@ -17,16 +17,22 @@ fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
             let lines = floor(material.size_px / material.line_period_px);
             return threshold_one_sided(d, halftone_threshold(uv.y, lines), material.slope);
         }
-        return halftone_ink(uv.y, length(vec2f(dpdx(uv.y), dpdy(uv.y))), material.line_period_px, d);
+        var t_per_px = length(vec2f(dpdx(uv.y), dpdy(uv.y)));
+        if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
+            // Fragments of a quad may lie on different faces.
+            t_per_px = tiles_per_px;
+        }
+        return halftone_ink(uv.y, t_per_px, material.line_period_px, d);
     }
     let level = map_level(tiles_per_px);
-    let sampled = textureSampleLevel(map, map_sampler, uv, 0, level).r;
+    // The threshold, and how much it changes from texel to texel.
+    let sampled = textureSampleLevel(map, map_sampler, uv, 0, level).rg;
     if FORM == FORM_LITERAL {
-        return threshold_one_sided(d, sampled, material.slope);
+        return threshold_one_sided(d, sampled.r, material.slope);
     }
-    let theta = equalised(sampled, level);
-    let per_px = length(vec2f(dpdx(theta), dpdy(theta)));
-    return threshold_centred(d, theta, per_px);
+    let theta = equalised(sampled.r, level);
+    let texels_per_px = tiles_per_px * material.size_px * exp2(-level);
+    return threshold_centred(d, theta.share, theta.rate * sampled.g * texels_per_px);
 }
 
 @vertex
@@ -38,5 +44,5 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
 fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
-    return drawn(blended_ink(map_surface(point), d));
+    return drawn(surface_ink(point, d));
 }

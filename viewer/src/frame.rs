@@ -60,7 +60,7 @@ impl Renderer {
             });
             let materials =
                 prepared.maps.iter().enumerate().map(|(part, map)| (Self::material_offset(part), &map.group));
-            Shading::record(&mut pass, pipeline, scene_group, mesh, &prepared.variant, materials);
+            Shading::record(&mut pass, pipeline, scene_group, mesh, params.mapping, &prepared.variant, materials);
             if let Some(line_pipeline) = line_pipeline {
                 Lines::record(&mut pass, line_pipeline, scene_group, mesh);
             }

@@ -77,3 +77,19 @@ impl HatchMap {
         if columns <= 6 { (0..columns).collect() } else { (1..=6).map(|k| k * columns / 6 - 1).collect() }
     }
 }
+
+/// How much thresholds change from texel to texel on the torus: the greater of the differences to the left and right,
+/// and to above and below, as one length; 255 is a change by 1 or more.
+pub(crate) fn threshold_steps(size: u32, thresholds: &[u8]) -> Vec<u8> {
+    let size = size as usize;
+    let at = |x: usize, y: usize| f64::from(thresholds[y % size * size + x % size]);
+    let step = |texel: usize| {
+        let (x, y) = (texel % size, texel / size);
+        let here = at(x, y);
+        let greater = |a: f64, b: f64| (a - here).abs().max((b - here).abs());
+        let across = greater(at(x + size - 1, y), at(x + 1, y));
+        let down = greater(at(x, y + size - 1), at(x, y + 1));
+        across.hypot(down).min(255.0).round() as u8
+    };
+    (0..size * size).map(step).collect()
+}

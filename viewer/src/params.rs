@@ -59,11 +59,15 @@ pub enum Mapping {
     Frames,
     /// Three planes, blended by the normal.
     Triplanar,
+    /// Overlapping patches that follow a direction field (Praun 2001, section 6, made current).
+    Patches,
+    /// Lapped patches as Praun and others paint them.
+    Lapped,
 }
 
 impl Mapping {
     /// All mappings.
-    pub const ALL: [Self; 3] = [Self::Uv, Self::Frames, Self::Triplanar];
+    pub const ALL: [Self; 5] = [Self::Uv, Self::Frames, Self::Triplanar, Self::Patches, Self::Lapped];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -71,12 +75,19 @@ impl Mapping {
             Self::Uv => "uv",
             Self::Frames => "frames",
             Self::Triplanar => "triplanar",
+            Self::Patches => "patches",
+            Self::Lapped => "lapped",
         }
     }
 
     /// The mapping of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|mapping| mapping.name() == name)
+    }
+
+    /// Whether it needs a [`Surface`](crate::surface::Surface) on the mesh.
+    pub fn takes_surface(self) -> bool {
+        matches!(self, Self::Patches | Self::Lapped)
     }
 
     /// The mesh's own uv where it has one, else three planes.

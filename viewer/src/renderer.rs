@@ -4,12 +4,15 @@ use std::sync::Arc;
 
 use tam_shaders::types;
 
-use crate::gpu::{Gpu, GpuError, GpuMap, GpuMesh, Layouts, MapError, MapKind, MapTextures, PixelFormat, Target};
+use crate::gpu::{
+    Gpu, GpuError, GpuMap, GpuMesh, Layouts, MapError, MapKind, MapTextures, PixelFormat, SurfaceBuffers, Target,
+};
 use crate::maps::HatchMap;
 use crate::mesh::Mesh;
 use crate::params::{Mapping, Method, RenderParams};
 use crate::passes::{Faces, Lines, Shading, Variant, variant};
 use crate::scene::{Material, Scene};
+use crate::surface::Surface;
 
 /// Parts of a mesh that have materials of their own; parts beyond share the last.
 pub const MAX_PARTS: usize = 256;
@@ -32,6 +35,9 @@ pub enum RenderError {
     /// The mapping needs what the mesh has not.
     #[error("the mesh has no uv; triplanar and frames need none")]
     NoUv,
+    /// The mapping needs a surface that was not attached.
+    #[error("the mesh has no {0} surface; attach one first")]
+    NoSurface(&'static str),
     /// The placement of the mesh cannot be inverted, or holds no numbers.
     #[error("the placement of the mesh cannot be inverted")]
     Placement,
@@ -103,6 +109,19 @@ impl Renderer {
         Ok(gpu_mesh)
     }
 
+    /// Gives a mesh its surface, which mappings by patches and stripes draw with. It replaces the one before.
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`] if it exceeds what the adapter binds.
+    ///
+    /// # Panics
+    /// If the surface is that of another mesh.
+    pub fn attach(&self, mesh: &mut GpuMesh, surface: &Surface) -> Result<(), GpuError> {
+        assert_eq!(surface.graph.triangles.len(), mesh.triangle_count as usize, "a surface of this mesh");
+        mesh.surface = SurfaceBuffers::new(&self.gpu, &self.layouts, Some(surface))?;
+        self.gpu.check()
+    }
+
     /// Takes a map; it is uploaded when a method first draws with it.
     pub fn map(&self, map: HatchMap) -> GpuMap {
         GpuMap::new(map)
@@ -130,6 +149,13 @@ impl Renderer {
         check_scene(scene)?;
         if params.mapping == Mapping::Uv && params.method.takes_mapping() && mesh.uv_density.is_none() {
             return Err(RenderError::NoUv);
+        }
+        let mapped = params.method.takes_mapping();
+        if mapped && params.mapping.takes_surface() && mesh.surface.tiles_per_unit(params.mapping).is_none() {
+            return Err(RenderError::NoSurface(params.mapping.name()));
+        }
+        if params.method == Method::Stripes && !mesh.surface.has_stripes() {
+            return Err(RenderError::NoSurface(params.method.name()));
         }
         let variant = variant(params);
         let shared = scene.shared(size_px, mesh.radius());
@@ -184,7 +210,10 @@ fn material_of(
     kind: MapKind,
     first_face: u32,
 ) -> types::Material {
-    let scale = material.scale * tiles_per_surface_unit(params, mesh);
+    let tile_scale = material.scale * tiles_per_surface_unit(params, mesh);
+    // Patches are stored in tiles already, those for which they were made.
+    let made_for = mesh.surface.tiles_per_unit(params.mapping).filter(|_| params.method.takes_mapping());
+    let scale = tile_scale / made_for.unwrap_or(1.0);
     let (sin, cos) = material.rotation_deg.to_radians().sin_cos();
     let mut tones = [[0.0; 4]; 17];
     for (k, tone) in map.tones.iter().enumerate() {
@@ -198,7 +227,7 @@ fn material_of(
         shininess: material.shininess as f32,
         tile_from_surface: [cos * scale, -sin * scale, sin * scale, cos * scale].map(|entry| entry as f32),
         shift_uv: material.shift.as_vec2().into(),
-        tile_scale: scale as f32,
+        tile_scale: tile_scale as f32,
         size_px: map.size_px as f32,
         level_count: map.level_count as f32,
         level_bias: params.level_bias as f32,
@@ -207,7 +236,7 @@ fn material_of(
         slope: params.slope as f32,
         line_period_px: params.line_period_px as f32,
         distribution_entries: if kind == MapKind::Strokes { map.distribution_entries as f32 } else { 0.0 },
-        cross_from: params.cross_from.unwrap_or(1.0) as f32,
+        cross_from: params.cross_from.filter(|_| mesh.surface.has_crossing_stripes()).unwrap_or(1.0) as f32,
         tones,
     }
 }

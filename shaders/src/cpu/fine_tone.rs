@@ -3,10 +3,10 @@
 
 use glam::{DVec2, DVec4};
 
-use super::lib::blend::blended_ink;
+use super::lib::blend::surface_ink;
 use super::lib::columns::{column_coordinate, column_ink, map_level};
 use super::lib::light::darkness;
-use super::lib::mapping::map_surface;
+use super::lib::mapping::Mapped;
 use super::lib::material::reflectance;
 use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::{Bindings, Quad};
@@ -22,7 +22,11 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: b
     let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
     let point = &points[lane];
     let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
-    let mapped = map_surface(b, &points, lane);
-    let ink = blended_ink(b.options, &mapped, d, |i, d| pattern_ink(b, mapped.patterns[i].uv, mapped.tiles_per_px, d));
+    let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
+    let of_pattern = |mapped: &Quad<Mapped>, i: usize, d| {
+        let mapped = &mapped[lane];
+        pattern_ink(b, mapped.patterns[i].uv, mapped.tiles_per_px, d)
+    };
+    let ink = surface_ink(b, &points, lane, d, of_pattern, &of_patch);
     drawn(b.scene, b.material, ink)
 }

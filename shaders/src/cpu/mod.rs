@@ -28,7 +28,7 @@ pub use options::{Blend, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
 use crate::types::StripePhases;
-use lib::{material::Material, mesh::Mesh, scene::Scene};
+use lib::{material::Material, mesh::Mesh, patches::PatchTable, scene::Scene};
 
 /// All that a drawing pass is bound to.
 #[derive(Clone, Copy, Debug)]
@@ -46,11 +46,13 @@ pub struct Bindings<'a> {
     /// Group 2, binding 3: rows of the distribution table, one per half level; may be empty where the material's
     /// `distribution_entries` is 0.
     pub distribution: &'a [Vec<f64>],
-    /// Group 3, bindings 4 and 5.
+    /// Group 3, bindings 0 and 1; empty where the mapping is of another kind.
+    pub patches: PatchTable<'a>,
+    /// Group 3, bindings 4 and 5; empty where the pass draws no stripes.
     pub stripes: StripeTable<'a>,
 }
 
-/// Phases of the line fields, one per face; empty where the pass draws no stripes.
+/// Phases of the line fields, one per face.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StripeTable<'a> {
     /// Lines along the direction field.

@@ -22,6 +22,10 @@ pub enum Mapping {
     Frames = 1,
     /// Three planes across the axes.
     Triplanar = 2,
+    /// Patches that follow the direction field.
+    Patches = 3,
+    /// Lapped textures, painted one over another.
+    Lapped = 4,
 }
 
 /// How patterns that overlap are put together: `BLEND` of `lib/blend.wgsl`.

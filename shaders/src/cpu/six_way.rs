@@ -3,12 +3,13 @@
 
 use glam::{DVec2, DVec3, DVec4};
 
+use super::lib::blend::surface_ink;
 use super::lib::columns::{column_coordinate, map_level};
 use super::lib::light::darkness;
 use super::lib::mapping::{map_surface, pattern_count};
-use super::lib::material::reflectance;
+use super::lib::material::{Material, column_tone, reflectance};
 use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point, surface_vertex};
-use super::{Bindings, MapImage, Quad};
+use super::{Bindings, MapImage, Mapping, Quad};
 
 /// Weights of the six columns; white has what is missing to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -41,9 +42,26 @@ pub fn vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Weights) {
     (surface, column_weights(column_coordinate(b.options.form, b.material, d)))
 }
 
+/// The tone that interpolated weights stand for.
+pub fn weighted_tone(material: &Material, weights: &Weights) -> f64 {
+    let tones = |first: u32| DVec3::from([0, 1, 2].map(|k| column_tone(material, first + k)));
+    weights.light.dot(tones(1)) + weights.dark.dot(tones(4))
+}
+
+/// Ink at a tone, for patterns that the blend draws at another one than the vertices'.
+pub fn pattern_ink(b: &Bindings<'_>, uv: DVec2, tiles_per_px: f64, d: f64) -> f64 {
+    let weights = column_weights(column_coordinate(b.options.form, b.material, d));
+    six_ink(b.map, uv, map_level(b.material, tiles_per_px), &weights)
+}
+
 /// Colour of one fragment of a quad, linear light; `weights` are interpolated.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, lane: usize, front: bool) -> DVec4 {
     let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
+    if matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
+        let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
+        let ink = surface_ink(b, &points, lane, weighted_tone(b.material, weights), |_, _, _| 0.0, &of_patch);
+        return drawn(b.scene, b.material, ink);
+    }
     let mapped = map_surface(b, &points, lane);
     let level = map_level(b.material, mapped.tiles_per_px);
     let patterns = &mapped.patterns[..pattern_count(b.options.mapping, &mapped)];

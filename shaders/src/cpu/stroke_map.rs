@@ -3,15 +3,15 @@
 
 use glam::{DVec2, DVec4};
 
-use super::lib::blend::blended_ink;
+use super::lib::blend::surface_ink;
 use super::lib::columns::map_level;
 use super::lib::halftone::{halftone_ink, halftone_threshold};
 use super::lib::light::darkness;
-use super::lib::mapping::map_surface;
+use super::lib::mapping::Mapped;
 use super::lib::material::reflectance;
 use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::lib::threshold::{equalised, threshold_centred, threshold_one_sided};
-use super::{Bindings, Form, PatternKind, Quad};
+use super::{Bindings, Form, Mapping, PatternKind, Quad};
 
 /// Where a fragment samples a pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct Sampled {
     pub tiles_per_px: f64,
 }
 
-/// Ink of one pattern for one fragment of a quad. The slope follows the difference of the threshold between fragments.
+/// Ink of one pattern for one fragment of a quad. The slope follows the change of the threshold from texel to texel.
 pub fn pattern_ink(b: &Bindings<'_>, at: &Quad<Sampled>, lane: usize, d: f64) -> f64 {
     let here = at[lane];
     if b.options.pattern == PatternKind::Lines {
@@ -31,21 +31,20 @@ pub fn pattern_ink(b: &Bindings<'_>, at: &Quad<Sampled>, lane: usize, d: f64) ->
             return threshold_one_sided(d, halftone_threshold(here.uv.y, lines), b.material.slope);
         }
         let t = at.map(|at| at.uv.y);
-        return halftone_ink(here.uv.y, t.dpdx(lane).hypot(t.dpdy(lane)), b.material.line_period_px, d);
+        let t_per_px = match b.options.mapping {
+            Mapping::Patches | Mapping::Lapped => here.tiles_per_px,
+            _ => t.dpdx(lane).hypot(t.dpdy(lane)),
+        };
+        return halftone_ink(here.uv.y, t_per_px, b.material.line_period_px, d);
     }
-    let sample = |at: Sampled| {
-        let level = map_level(b.material, at.tiles_per_px);
-        (b.map.sample_level(at.uv, 0, level).x, level)
-    };
+    let level = map_level(b.material, here.tiles_per_px);
+    let sampled = b.map.sample_level(here.uv, 0, level);
     if b.options.form == Form::Literal {
-        return threshold_one_sided(d, sample(here).0, b.material.slope);
+        return threshold_one_sided(d, sampled.x, b.material.slope);
     }
-    let thetas = at.map(|at| {
-        let (sampled, level) = sample(*at);
-        equalised(b.material, b.distribution, sampled, level)
-    });
-    let per_px = thetas.dpdx(lane).hypot(thetas.dpdy(lane));
-    threshold_centred(d, thetas[lane], per_px)
+    let theta = equalised(b.material, b.distribution, sampled.x, level);
+    let texels_per_px = here.tiles_per_px * b.material.size_px * (-level).exp2();
+    threshold_centred(d, theta.share, theta.rate * sampled.y * texels_per_px)
 }
 
 /// Colour of one fragment of a quad, linear light.
@@ -53,10 +52,11 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: b
     let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
     let point = &points[lane];
     let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
-    let mapped = Quad::from_fn(|lane| map_surface(b, &points, lane));
-    let ink = blended_ink(b.options, &mapped[lane], d, |i, d| {
+    let of_pattern = |mapped: &Quad<Mapped>, i: usize, d| {
         let at = mapped.map(|mapped| Sampled { uv: mapped.patterns[i].uv, tiles_per_px: mapped.tiles_per_px });
         pattern_ink(b, &at, lane, d)
-    });
+    };
+    let of_patch = |uv, tiles_per_px, d| pattern_ink(b, &Quad::from_fn(|_| Sampled { uv, tiles_per_px }), lane, d);
+    let ink = surface_ink(b, &points, lane, d, of_pattern, &of_patch);
     drawn(b.scene, b.material, ink)
 }

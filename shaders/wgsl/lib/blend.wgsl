@@ -2,6 +2,7 @@
 // sequence and end whole; it needs patterns that are independent of each other. Linear greys strokes, as pencil does.
 // The pass that includes this defines pattern_ink(uv, tiles_per_px, darkness).
 //!include lib/mapping.wgsl
+//!include lib/patches.wgsl
 
 const BLEND_UNION: u32 = 0u;
 const BLEND_LINEAR: u32 = 1u;
@@ -29,4 +30,49 @@ fn blended_ink(mapped: Mapped, d: f32) -> f32 {
         }
     }
     return select(1.0 - clear, sum, linear);
+}
+
+// Patches are independent of each other: each lies on the tile by chance.
+fn patches_ink(face: u32, corners: vec3f, tiles_per_px: f32, d: f32) -> f32 {
+    let patches = patches_at(face, corners);
+    var sum = 0.0;
+    var clear = 1.0;
+    for (var i = 0u; i < patches.count; i++) {
+        let weight = patches.weights[i];
+        if weight > 0.0 {
+            let uv = patch_uv(patch_entries[patches.first + i].places, corners);
+            if BLEND == BLEND_LINEAR {
+                sum += weight * pattern_ink(uv, tiles_per_px, d);
+            } else {
+                clear *= 1.0 - pattern_ink(uv, tiles_per_px, union_darkness(d, weight));
+            }
+        }
+    }
+    return select(1.0 - clear, sum, BLEND == BLEND_LINEAR);
+}
+
+// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha.
+fn lapped_ink(face: u32, corners: vec3f, tiles_per_px: f32, d: f32) -> f32 {
+    let first = patch_starts[face];
+    let count = min(patch_starts[face + 1u] - first, MAX_PATCHES);
+    var ink = 0.0;
+    for (var i = 0u; i < count; i++) {
+        let entry = patch_entries[first + i];
+        let alpha = clamp(dot(unpack_tens(entry.shares), corners), 0.0, 1.0);
+        if alpha > 0.0 {
+            ink = mix(ink, pattern_ink(patch_uv(entry.places, corners), tiles_per_px, d), alpha);
+        }
+    }
+    return ink;
+}
+
+fn surface_ink(point: Point, d: f32) -> f32 {
+    if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
+        let corners = corner_weights(point.face, frame_place(point.p_world));
+        if MAPPING == MAPPING_LAPPED {
+            return lapped_ink(point.face, corners, footprint(point), d);
+        }
+        return patches_ink(point.face, corners, footprint(point), d);
+    }
+    return blended_ink(map_surface(point), d);
 }

@@ -10,20 +10,28 @@ fn distribution_entry(row: i32, i: i32) -> f32 {
     return textureLoad(distribution, vec2i(i, row), 0).r;
 }
 
+struct Equalised {
+    share: f32,
+    // Change of the share with theta.
+    rate: f32,
+}
+
 // Share of the samples of this level whose filtered threshold is at most theta. Filtering narrows the distribution of
 // thresholds; looking the result up in its own distribution keeps the tone.
-fn equalised(theta: f32, level: f32) -> f32 {
+fn equalised(theta: f32, level: f32) -> Equalised {
     if material.distribution_entries < 2.0 {
-        return theta;
+        return Equalised(theta, 1.0);
     }
-    let x = clamp(theta, 0.0, 1.0) * (material.distribution_entries - 1.0);
+    let steps = material.distribution_entries - 1.0;
+    let x = clamp(theta, 0.0, 1.0) * steps;
     let i = min(i32(x), i32(material.distribution_entries) - 2);
     let row = 2.0 * level;
     let r = i32(row);
     let last = i32(textureDimensions(distribution).y) - 1;
-    let here = mix(distribution_entry(min(r, last), i), distribution_entry(min(r, last), i + 1), fract_of(x, i));
-    let next = mix(distribution_entry(min(r + 1, last), i), distribution_entry(min(r + 1, last), i + 1), fract_of(x, i));
-    return mix(here, next, row - f32(r));
+    let here = vec2f(distribution_entry(min(r, last), i), distribution_entry(min(r, last), i + 1));
+    let next = vec2f(distribution_entry(min(r + 1, last), i), distribution_entry(min(r + 1, last), i + 1));
+    let ends = mix(here, next, row - f32(r));
+    return Equalised(mix(ends.x, ends.y, fract_of(x, i)), (ends.y - ends.x) * steps);
 }
 
 fn fract_of(x: f32, i: i32) -> f32 {

@@ -10,6 +10,7 @@ mod render;
 mod report;
 mod source;
 mod stage;
+mod surface;
 mod turntable;
 mod view;
 

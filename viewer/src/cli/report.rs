@@ -4,6 +4,8 @@ use tam_gen::command::Failure;
 use tam_viewer::RenderError;
 use tam_viewer::gpu::{GpuError, MapError};
 use tam_viewer::mesh::MeshError;
+use tam_viewer::surface::SurfaceError;
+use tam_viewer::surface::guides::GuideError;
 use tam_viewer::turntable::WriteError;
 
 fn work(kind: &'static str, error: &dyn std::error::Error, help: impl Into<Option<&'static str>>) -> Failure {
@@ -30,7 +32,9 @@ pub(super) fn render(error: RenderError) -> Failure {
         RenderError::Gpu(error) => gpu(error),
         RenderError::Map(error) => map(error),
         RenderError::NoUv => work("mesh", &error, "--mapping triplanar and --mapping frames need none"),
-        RenderError::NoMap | RenderError::Placement | RenderError::Camera(_) => work("scene", &error, None),
+        RenderError::NoMap | RenderError::NoSurface(_) | RenderError::Placement | RenderError::Camera(_) => {
+            work("scene", &error, None)
+        }
     }
 }
 
@@ -47,6 +51,18 @@ pub(super) fn map(error: MapError) -> Failure {
             work("source", &error, "`tam-gen check` tells what is wrong with the map")
         }
     }
+}
+
+pub(super) fn guides(path: &std::path::Path, error: &GuideError) -> Failure {
+    Failure::Work {
+        kind: "guides",
+        message: format!("{}: {error}", path.display()),
+        help: Some(r#"a file of guides is {"version": 1, "guides": [{"points": [[x, y, z], …]}, …]}"#.into()),
+    }
+}
+
+pub(super) fn surface(error: SurfaceError) -> Failure {
+    work("surface", &error, "a smaller mesh needs less memory; --mapping triplanar needs no field")
 }
 
 pub(super) fn mesh(error: MeshError) -> Failure {

@@ -9,7 +9,7 @@ use tam_gen::command::words::{counted, milliseconds, size};
 use tam_gen::command::{Failure, Output, interrupt};
 use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, PixelFormat, Target};
 use tam_viewer::mesh::{Loaded, Mesh};
-use tam_viewer::{FrameTimer, Method, RenderError, RenderParams, Renderer, Scene};
+use tam_viewer::{FrameTimer, Mapping, Method, RenderError, RenderParams, Renderer, Scene};
 
 use super::view::ViewArgs;
 use super::{report, source};
@@ -35,6 +35,7 @@ impl Stage {
     pub(super) fn open(
         view: &ViewArgs,
         methods: &[Method],
+        mappings: &[Mapping],
         size: [u32; 2],
         samples: u32,
         posed: bool,
@@ -65,7 +66,16 @@ impl Stage {
         }
         let mut scene = view.scene(&loaded.mesh, colours, &numbers)?;
         place_camera(&mut scene, view, &loaded.mesh.positions, size);
-        let mesh = renderer.mesh(&loaded.mesh).map_err(report::gpu)?;
+        let tiles_per_unit = view.params(Method::Phong, &loaded.mesh, size).tiles_per_unit;
+        let surface = view.surface.build(&loaded.mesh, &scene, methods, mappings, tiles_per_unit, output)?;
+        let surface = surface.map(|(mesh, surface)| {
+            loaded.mesh = mesh;
+            surface
+        });
+        let mut mesh = renderer.mesh(&loaded.mesh).map_err(report::gpu)?;
+        if let Some(surface) = &surface {
+            renderer.attach(&mut mesh, surface).map_err(report::gpu)?;
+        }
         interrupt::stop_if_happened()?;
         Ok(Self { renderer, loaded, mesh, maps, scene, target })
     }

@@ -14,6 +14,7 @@ use tam_viewer::{Blend, Form, Light, Mapping, Method, RenderParams, Scene, Silho
 use super::object::{ObjectArg, object};
 use super::parse::{self, Colour, Deformed, OrNone, Orbit, Specular};
 use super::stage::with_colours;
+use super::surface::SurfaceArgs;
 
 /// What is drawn and how.
 #[derive(Debug, Args)]
@@ -40,6 +41,8 @@ pub(super) struct ViewArgs {
     /// How strokes lie on the surface; auto: by the mesh's uv where it has one, else triplanar
     #[arg(long, value_enum, default_value = "auto", help_heading = "How it is hatched")]
     mapping: MappingArg,
+    #[command(flatten)]
+    pub(super) surface: SurfaceArgs,
     /// With the remedies for known failures, or as the paper prints it
     #[arg(long, value_enum, default_value = "hardened", help_heading = "How it is hatched")]
     form: FormArg,
@@ -67,9 +70,12 @@ pub(super) struct ViewArgs {
     /// Slope of the literal threshold of stroke-map and halftone
     #[arg(long, value_name = "C", value_parser = parse::in_range(ranges::SLOPE), allow_hyphen_values = true, help_heading = "How it is hatched")]
     slope: Option<f64>,
-    /// Least distance of halftone lines
+    /// Least distance of halftone lines and stripes
     #[arg(long, value_name = "PX", value_parser = parse::in_range(ranges::LINE_PERIOD_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     line_period: Option<f64>,
+    /// Darkness above which stripes are crossed by others, or none [default: 0.55]
+    #[arg(long, value_name = "DARKNESS|none", value_parser = parse::or_none(ranges::SHARE), allow_hyphen_values = true, help_heading = "How it is hatched")]
+    cross: Option<OrNone>,
     /// Width of contours, borders and creases, or none [default: 2 in a picture of 1024 px]
     #[arg(long, value_name = "PX|none", value_parser = parse::or_none(ranges::LINE_WIDTH_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     lines: Option<OrNone>,
@@ -141,6 +147,10 @@ pub(super) enum MappingArg {
     Frames,
     /// Three planes, blended by the normal
     Triplanar,
+    /// Overlapping patches that follow the form
+    Patches,
+    /// Lapped patches, as Praun and others paint them
+    Lapped,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -191,6 +201,8 @@ impl ViewArgs {
                 MappingArg::Uv => Mapping::Uv,
                 MappingArg::Frames => Mapping::Frames,
                 MappingArg::Triplanar => Mapping::Triplanar,
+                MappingArg::Patches => Mapping::Patches,
+                MappingArg::Lapped => Mapping::Lapped,
             },
             form: match self.form {
                 FormArg::Hardened => Form::Hardened,
@@ -204,9 +216,20 @@ impl ViewArgs {
             level_bias: self.level_bias.unwrap_or(default.level_bias),
             slope: self.slope.unwrap_or(default.slope),
             line_period_px: self.line_period.unwrap_or(default.line_period_px),
+            cross_from: self.cross.map_or(default.cross_from, |cross| cross.0),
             silhouettes: width_px.map(|width_px| Silhouettes { width_px, crease_deg, ..lines }),
             ..default
         }
+    }
+
+    /// The mappings that a method draws with, as far as they are known without the mesh.
+    pub(super) fn mappings(&self, method: Method) -> Vec<Mapping> {
+        let named = match self.mapping {
+            MappingArg::Patches => Some(Mapping::Patches),
+            MappingArg::Lapped => Some(Mapping::Lapped),
+            _ => None,
+        };
+        named.into_iter().filter(|_| method.takes_mapping()).collect()
     }
 
     /// The mapping asked for by name, if any.

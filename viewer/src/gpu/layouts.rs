@@ -1,4 +1,4 @@
-//! Which buffers and textures the passes bind: group 0 the scene, 1 the mesh, 2 material and map.
+//! Which buffers and textures the passes bind: group 0 the scene, 1 the mesh, 2 material and map, 3 the surface.
 
 use super::Gpu;
 
@@ -7,6 +7,7 @@ pub(crate) struct Layouts {
     pub scene: wgpu::BindGroupLayout,
     pub mesh: wgpu::BindGroupLayout,
     pub material: wgpu::BindGroupLayout,
+    pub surface: wgpu::BindGroupLayout,
     pub face_geometry: wgpu::BindGroupLayout,
     pub face_frames: wgpu::BindGroupLayout,
     pub lines: wgpu::BindGroupLayout,
@@ -57,6 +58,10 @@ impl Layouts {
             material: layout(
                 "material",
                 &[uniform(0, BOTH, true), texture(1, maps, true), sampler, texture(3, tables, false)],
+            ),
+            surface: layout(
+                "surface",
+                &[storage(0, FRAGMENT), storage(1, FRAGMENT), storage(4, FRAGMENT), storage(5, FRAGMENT)],
             ),
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),
             face_frames: layout("face_frames", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(5)]),

@@ -6,7 +6,7 @@ use tam_gen::{GenerateError, Grid, StrokeMap};
 use tam_shaders::types::MAX_COLUMNS;
 
 use super::{Gpu, GpuError, Layouts};
-use crate::maps::HatchMap;
+use crate::maps::{HatchMap, threshold_steps};
 
 /// How a map lies in its texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,7 +17,7 @@ pub enum MapKind {
     FineColumns,
     /// Six columns in the colours of two layers (the student implementation of Praun 2001).
     Packed,
-    /// Thresholds.
+    /// Thresholds, and how much they change from texel to texel.
     Strokes,
 }
 
@@ -186,11 +186,16 @@ impl Layers {
     }
 
     fn strokes(map: &StrokeMap) -> Self {
+        let levels = map.levels.iter().map(|level| {
+            let steps = threshold_steps(level.size, &level.threshold);
+            let texels = level.threshold.iter().zip(steps).flat_map(|(threshold, step)| [*threshold, step]).collect();
+            (level.size, texels)
+        });
         Self {
-            format: wgpu::TextureFormat::R8Unorm,
-            channels: 1,
+            format: wgpu::TextureFormat::Rg8Unorm,
+            channels: 2,
             layer_count: 1,
-            levels: map.levels.iter().map(|level| (level.size, level.threshold.clone())).collect(),
+            levels: levels.collect(),
             tones: vec![1.0],
             distribution: map.distribution.clone(),
         }

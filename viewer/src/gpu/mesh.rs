@@ -9,6 +9,7 @@ use tam_shaders::cpu::lib::octahedral::oct_encode;
 use tam_shaders::types::{self, NO_FACE};
 use wgpu::util::DeviceExt;
 
+use super::surface::SurfaceBuffers;
 use super::{Gpu, GpuError, Layouts};
 use crate::mesh::{self, Mesh};
 
@@ -29,6 +30,8 @@ pub struct GpuMesh {
     pub(crate) computed: Mutex<Computed>,
     /// Bind group 1 of the drawing passes, of the two compute passes, and group 2 of the lines.
     pub(crate) groups: MeshGroups,
+    /// Bind group 3.
+    pub(crate) surface: SurfaceBuffers,
     staging: Vec<types::Vertex>,
     bytes: u64,
 }
@@ -124,6 +127,7 @@ impl GpuMesh {
         let groups = MeshGroups::new(gpu, layouts, &buffers, &vertex_buffer, &edge_buffer, line_style);
         Ok(Self {
             groups,
+            surface: SurfaceBuffers::new(gpu, layouts, None)?,
             index_buffer,
             vertex_buffer,
             edge_count: edges.len() as u32,
@@ -166,7 +170,7 @@ impl GpuMesh {
 
     /// Bytes of all its buffers on the GPU.
     pub fn bytes(&self) -> u64 {
-        self.bytes
+        self.bytes + self.surface.bytes()
     }
 }
 

@@ -4,6 +4,7 @@ mod context;
 mod layouts;
 mod map;
 mod mesh;
+mod surface;
 mod target;
 
 pub use context::{AdapterSummary, Gpu, GpuError, GpuOptions};
@@ -14,4 +15,5 @@ pub use target::{Picture, PixelFormat, Target};
 pub(crate) use layouts::Layouts;
 pub(crate) use map::MapTextures;
 pub(crate) use mesh::{FramesKey, GeometryKey};
+pub(crate) use surface::SurfaceBuffers;
 pub(crate) use target::DEPTH_FORMAT;

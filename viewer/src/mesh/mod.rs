@@ -17,6 +17,7 @@ mod query;
 mod raw;
 mod report;
 pub mod sample;
+mod subdivide;
 mod table;
 #[cfg(test)]
 mod test_files;
@@ -65,8 +66,10 @@ pub struct Mesh {
     pub point_count: usize,
     /// Per vertex: vertices of one group share one smooth normal.
     pub normal_groups: Vec<u32>,
-    /// Per vertex: its index in the [`RawMesh`], for animation.
+    /// Per vertex: its index in the [`RawMesh`], for animation; `u32::MAX` for those of `midpoints`.
     pub sources: Vec<u32>,
+    /// The vertices by which edges were cut, the last ones, in order: each stands half way between two earlier ones.
+    pub midpoints: Vec<[u32; 2]>,
     /// Vertex indices, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Per triangle: the triangle across the edge from corner k to corner k + 1, or [`NONE`].

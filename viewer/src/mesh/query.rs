@@ -98,5 +98,9 @@ impl Mesh {
             position.filter(|position| position.is_finite()).unwrap_or(rest)
         };
         self.sources.par_iter().zip(&self.positions).with_min_len(8192).map(place).collect_into_vec(out);
+        let first = out.len() - self.midpoints.len();
+        for (k, &[a, b]) in self.midpoints.iter().enumerate() {
+            out[first + k] = (out[a as usize] + out[b as usize]) * 0.5;
+        }
     }
 }

@@ -41,6 +41,8 @@ impl Variant {
                 Mapping::Uv => 0,
                 Mapping::Frames => 1,
                 Mapping::Triplanar => 2,
+                Mapping::Patches => 3,
+                Mapping::Lapped => 4,
             },
         )
     }
@@ -106,12 +108,14 @@ impl Shading {
         pipeline: &wgpu::RenderPipeline,
         scene: &wgpu::BindGroup,
         mesh: &GpuMesh,
+        mapping: Mapping,
         variant: &Variant,
         materials: impl Iterator<Item = (u32, &'a wgpu::BindGroup)>,
     ) {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, scene, &[]);
         pass.set_bind_group(1, &mesh.groups.drawn, &[]);
+        pass.set_bind_group(3, mesh.surface.group(mapping), &[]);
         pass.set_index_buffer(mesh.index_buffer.slice(..), wgpu::IndexFormat::Uint32);
         for (part, (offset, map)) in mesh.parts.iter().zip(materials) {
             pass.set_bind_group(2, map, &[offset]);
@@ -144,7 +148,12 @@ fn shading_pipeline(
 ) -> wgpu::RenderPipeline {
     let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(variant.pass.name()),
-        bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.mesh), Some(&layouts.material)],
+        bind_group_layouts: &[
+            Some(&layouts.scene),
+            Some(&layouts.mesh),
+            Some(&layouts.material),
+            Some(&layouts.surface),
+        ],
         immediate_size: 0,
     });
     let constants: Vec<(&str, f64)> =

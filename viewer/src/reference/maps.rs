@@ -28,10 +28,11 @@ pub fn six_columns(grid: &Grid, columns: &[usize]) -> MapImage {
     MapImage { levels: levels.collect() }
 }
 
-/// One layer of thresholds.
+/// One layer: thresholds, and their change from texel to texel.
 pub fn thresholds(stroke_map: &StrokeMap) -> MapImage {
     let levels = stroke_map.levels.iter().map(|level| {
-        let layer = level.threshold.iter().map(|threshold| [*threshold, 0, 0, 255]).collect();
+        let steps = crate::maps::threshold_steps(level.size, &level.threshold);
+        let layer = level.threshold.iter().zip(steps).map(|(threshold, step)| [*threshold, step, 0, 255]).collect();
         MapLevel { size: level.size, layers: vec![layer] }
     });
     MapImage { levels: levels.collect() }

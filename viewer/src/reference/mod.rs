@@ -21,6 +21,7 @@ use rayon::prelude::*;
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh as MeshView;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
+use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::{Bindings, MapImage, Options, StripeTable, face_frames, face_geometry, octahedral};
 use tam_shaders::{Pass, types};
@@ -76,6 +77,8 @@ pub struct Draw<'a> {
     pub distribution: &'a [Vec<f64>],
     /// Phases of the whole mesh, for the pass that draws stripes.
     pub stripes: StripeTable<'a>,
+    /// Patches of the whole mesh, for the mappings that draw with them.
+    pub patches: PatchTable<'a>,
 }
 
 /// How a picture is made.
@@ -141,6 +144,7 @@ impl Reference {
                 map: draw.map,
                 distribution: draw.distribution,
                 stripes: draw.stripes,
+                patches: draw.patches,
             })
             .collect();
         let samples = how.samples as usize;

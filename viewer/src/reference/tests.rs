@@ -3,6 +3,7 @@
 
 use glam::{DMat4, DVec2, DVec3, Vec2, Vec3};
 use tam_gen::{Job, Map, Preset, generate};
+use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::{MapImage, Options, StripeTable};
 use tam_shaders::{Pass, types};
 
@@ -22,6 +23,7 @@ fn square() -> Mesh {
         points: vec![0, 1, 2, 3],
         point_count: 4,
         normal_groups: vec![0, 1, 2, 3],
+        midpoints: Vec::new(),
         sources: vec![0, 1, 2, 3],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
         neighbours: vec![[NONE, NONE, 1], [0, NONE, NONE]],
@@ -89,7 +91,7 @@ fn pencil() -> Map {
 
 fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<f64>]) -> f64 {
     let reference = Reference::new(&square());
-    let draws = [Draw { triangles: 0..2, material, map, distribution, stripes: StripeTable::default() }];
+    let draws = [Draw { triangles: 0..2, material, map, distribution, patches: PatchTable::default(), stripes: StripeTable::default() }];
     let how = How { pass, options: Options::default(), samples: 2 };
     let picture = reference.render(&scene(d), &draws, &how).unwrap();
     assert!(picture.coverage.iter().all(|share| *share == 1.0), "the square fills the picture");
@@ -150,7 +152,7 @@ fn phong_draws_the_darkness_itself_and_leaves_the_rest_uncovered() {
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
     let draws =
-        [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }];
+        [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], patches: PatchTable::default(), stripes: StripeTable::default() }];
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 4 };
     let picture = reference.render(&scene(0.3), &draws, &how).unwrap();
     // One triangle of the two; the diagonal belongs to it.
@@ -168,7 +170,7 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
     let draw = |triangles| {
-        [Draw { triangles, material: &material, map: &map, distribution: &[], stripes: StripeTable::default() }]
+        [Draw { triangles, material: &material, map: &map, distribution: &[], patches: PatchTable::default(), stripes: StripeTable::default() }]
     };
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 1 };
     let lines = How { pass: Pass::Lines, ..how };

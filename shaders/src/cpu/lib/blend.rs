@@ -1,7 +1,12 @@
 //! Twin of `lib/blend.wgsl`: patterns that overlap, by union or linearly.
 
-use super::mapping::{Mapped, pattern_count};
-use crate::cpu::{Blend, Mapping, Options};
+use glam::{DVec2, DVec3};
+
+use super::barycentric::corner_weights;
+use super::mapping::{Mapped, footprint, frame_place, map_surface, pattern_count};
+use super::patches::{MAX_PATCHES, patch_patterns, patch_uv, unpack_tens};
+use super::surface::Point;
+use crate::cpu::{Bindings, Blend, Mapping, Options, Quad};
 
 /// The darkness at which a pattern of this weight takes part, so that the union of all has darkness `d`.
 pub fn union_darkness(d: f64, weight: f64) -> f64 {
@@ -23,4 +28,69 @@ pub fn blended_ink(options: Options, mapped: &Mapped, d: f64, pattern_ink: impl 
         }
     }
     if linear { sum } else { 1.0 - clear }
+}
+
+/// Ink of a pattern: place on the tile, footprint, darkness.
+pub type PatternInk<'a> = &'a dyn Fn(DVec2, f64, f64) -> f64;
+
+/// Patches, independent of each other.
+pub fn patches_ink(
+    b: &Bindings<'_>,
+    face: usize,
+    corners: DVec3,
+    tiles_per_px: f64,
+    d: f64,
+    pattern_ink: PatternInk<'_>,
+) -> f64 {
+    let patterns = patch_patterns(b, face, corners);
+    if b.options.blend == Blend::Linear {
+        return patterns.iter().map(|(uv, weight)| weight * pattern_ink(*uv, tiles_per_px, d)).sum();
+    }
+    let clear = |(uv, weight): &(DVec2, f64)| 1.0 - pattern_ink(*uv, tiles_per_px, union_darkness(d, *weight));
+    1.0 - patterns.iter().map(clear).product::<f64>()
+}
+
+/// Lapped textures, painted one over the other.
+pub fn lapped_ink(
+    b: &Bindings<'_>,
+    face: usize,
+    corners: DVec3,
+    tiles_per_px: f64,
+    d: f64,
+    pattern_ink: PatternInk<'_>,
+) -> f64 {
+    let (first, end) = (b.patches.starts[face] as usize, b.patches.starts[face + 1] as usize);
+    let mut ink = 0.0;
+    for entry in &b.patches.entries[first..end.min(first + MAX_PATCHES)] {
+        let alpha = unpack_tens(entry.shares).dot(corners).clamp(0.0, 1.0);
+        if alpha > 0.0 {
+            ink += alpha * (pattern_ink(patch_uv(b.material, entry.places, corners), tiles_per_px, d) - ink);
+        }
+    }
+    ink
+}
+
+/// Ink of whatever lies on the surface at one fragment of a quad. `of_pattern` gives the ink of pattern `i` of the
+/// mappings whose places the quad shares, `of_patch` that of a patch.
+pub fn surface_ink(
+    b: &Bindings<'_>,
+    points: &Quad<Point>,
+    lane: usize,
+    d: f64,
+    of_pattern: impl Fn(&Quad<Mapped>, usize, f64) -> f64,
+    of_patch: PatternInk<'_>,
+) -> f64 {
+    let point = &points[lane];
+    let form = b.options.form;
+    if !matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
+        let mapped = Quad::from_fn(|lane| map_surface(b, points, lane));
+        return blended_ink(b.options, &mapped[lane], d, |i, d| of_pattern(&mapped, i, d));
+    }
+    let corners = corner_weights(&b.mesh, point.face, frame_place(form, b.scene, point.p_world));
+    let tiles_per_px = footprint(form, b.scene, b.material, point);
+    if b.options.mapping == Mapping::Lapped {
+        lapped_ink(b, point.face, corners, tiles_per_px, d, of_patch)
+    } else {
+        patches_ink(b, point.face, corners, tiles_per_px, d, of_patch)
+    }
 }

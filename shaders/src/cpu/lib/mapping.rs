@@ -110,7 +110,8 @@ pub fn map_surface(b: &Bindings<'_>, points: &Quad<Point>, lane: usize) -> Mappe
     match b.options.mapping {
         Mapping::Frames => map_frames(b, &points[lane]),
         Mapping::Triplanar => map_triplanar(b.options.form, b.scene, b.material, &points[lane]),
-        Mapping::Uv => map_uv(b.material, points, lane),
+        // Patches and lapped textures are blended on their own.
+        Mapping::Uv | Mapping::Patches | Mapping::Lapped => map_uv(b.material, points, lane),
     }
 }
 
@@ -119,6 +120,6 @@ pub fn pattern_count(mapping: Mapping, mapped: &Mapped) -> usize {
     match mapping {
         Mapping::Uv => 1,
         Mapping::Frames if mapped.patterns[0].weight > LONE_WEIGHT => 1,
-        Mapping::Frames | Mapping::Triplanar => 3,
+        _ => 3,
     }
 }

@@ -14,6 +14,7 @@ pub mod material;
 pub mod mesh;
 pub mod mesh_types;
 pub mod octahedral;
+pub mod patches;
 pub mod scene;
 pub mod stripes;
 pub mod surface;

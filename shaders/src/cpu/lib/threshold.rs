@@ -12,20 +12,29 @@ pub fn distribution_entry(distribution: &[Vec<f64>], row: usize, i: usize) -> f6
     distribution[row][i]
 }
 
+/// A threshold as a share of the samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equalised {
+    /// Share of the samples whose threshold is at most this one.
+    pub share: f64,
+    /// Change of the share with the threshold.
+    pub rate: f64,
+}
+
 /// Share of the samples of this level whose filtered threshold is at most `theta`.
-pub fn equalised(material: &Material, distribution: &[Vec<f64>], theta: f64, level: f64) -> f64 {
+pub fn equalised(material: &Material, distribution: &[Vec<f64>], theta: f64, level: f64) -> Equalised {
     if material.distribution_entries < 2.0 {
-        return theta;
+        return Equalised { share: theta, rate: 1.0 };
     }
-    let x = theta.clamp(0.0, 1.0) * (material.distribution_entries - 1.0);
+    let steps = material.distribution_entries - 1.0;
+    let x = theta.clamp(0.0, 1.0) * steps;
     let i = (x as usize).min(material.distribution_entries as usize - 2);
     let row = 2.0 * level;
     let r = row as usize;
     let last = distribution.len() - 1;
     let at = |row: usize, i: usize| distribution_entry(distribution, row.min(last), i);
-    let here = mix(at(r, i), at(r, i + 1), fract_of(x, i));
-    let next = mix(at(r + 1, i), at(r + 1, i + 1), fract_of(x, i));
-    mix(here, next, row - r as f64)
+    let [low, high] = [i, i + 1].map(|i| mix(at(r, i), at(r + 1, i), row - r as f64));
+    Equalised { share: mix(low, high, fract_of(x, i)), rate: (high - low) * steps }
 }
 
 /// How far `x` is beyond `i`.

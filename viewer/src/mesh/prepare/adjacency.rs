@@ -6,7 +6,7 @@ use crate::mesh::{MeshReport, NONE};
 ///
 /// An edge of more than two triangles is a boundary to all of them. Reports edges by kind, and Euler's characteristic.
 /// No two triangles have the same three points, so that two triangles share at most one edge.
-pub(super) fn neighbours(triangles: &[[u32; 3]], points: usize, report: &mut MeshReport) -> Vec<[u32; 3]> {
+pub(in crate::mesh) fn neighbours(triangles: &[[u32; 3]], points: usize, report: &mut MeshReport) -> Vec<[u32; 3]> {
     // Half-edges, bucketed by their lesser point: linear, where sorting all would not be.
     let mut starts = vec![0_u32; points + 1];
     for triangle in triangles {

@@ -4,7 +4,7 @@
 //! clean ─► weld ─► adjacency ─► orient ─► normal groups ─► vertices ─► Mesh
 //! ```
 
-mod adjacency;
+pub(super) mod adjacency;
 mod clean;
 mod groups;
 mod orient;
@@ -77,6 +77,7 @@ pub fn prepare(raw: RawMesh) -> Result<Loaded, MeshError> {
         point_count: surface.points.len(),
         normal_groups: split.groups,
         sources: split.sources,
+        midpoints: Vec::new(),
         triangles: split.triangles,
         neighbours,
         parts,

@@ -29,6 +29,7 @@ use tam_shaders::types::StripePhases;
 use super::field::Field;
 use super::graph::Graph;
 use super::solve::SolveError;
+use crate::ranges;
 use growth::{Loop, growths, loops};
 
 /// How stripes are laid.
@@ -51,7 +52,7 @@ impl Default for StripeOptions {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum StripeError {
     /// Lines too many, too few, or no number.
-    #[error("{0} lines per unit; 0.25 to 64 can be laid")]
+    #[error("{0} lines per unit; allowed: {range}", range = ranges::LINES_PER_UNIT)]
     LinesPerUnit(f64),
     /// A system cannot be factorised.
     #[error(transparent)]
@@ -72,7 +73,7 @@ pub struct Stripes {
 /// # Errors
 /// [`StripeError`]: options out of range, or a system that cannot be factorised.
 pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<Stripes, StripeError> {
-    if !(0.25..=64.0).contains(&options.lines_per_unit) {
+    if !ranges::LINES_PER_UNIT.contains(options.lines_per_unit) {
         return Err(StripeError::LinesPerUnit(options.lines_per_unit));
     }
     let loops = loops(graph);

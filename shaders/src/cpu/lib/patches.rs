@@ -1,0 +1,96 @@
+//! Twin of `lib/patches.wgsl`: overlapping parametrisations of a surface, found per face.
+
+use glam::{DVec2, DVec3};
+
+use super::material::{Material, tile_uv};
+use crate::cpu::Bindings;
+use crate::types::PatchEntry;
+
+/// Patches of a face at most.
+pub const MAX_PATCHES: usize = 8;
+/// Greatest place on the tile that a record holds, in tiles.
+pub const PLACE_RANGE: f64 = 4.0;
+/// Greatest distance behind the nearest patch that a record holds, in feathers.
+pub const BEHIND_RANGE: f64 = 4.0;
+
+/// Group 3: the patches of all faces.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PatchTable<'a> {
+    /// Per face the first of its entries, and then their number.
+    pub starts: &'a [u32],
+    /// By face.
+    pub entries: &'a [PatchEntry],
+}
+
+/// The patches of a face as a fragment sees them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Patches {
+    /// Their first entry.
+    pub first: usize,
+    /// How many.
+    pub count: usize,
+    /// Barycentric weights of the corners.
+    pub corners: DVec3,
+    /// Sum to 1.
+    pub weights: [f64; MAX_PATCHES],
+}
+
+/// Three 10-bit unorm, low bits first.
+pub fn unpack_tens(code: u32) -> DVec3 {
+    DVec3::from([0, 10, 20].map(|shift| f64::from((code >> shift) & 1023) / 1023.0))
+}
+
+/// The code of [`unpack_tens`] nearest to three shares, each 0..=1.
+pub fn pack_tens(shares: [f64; 3]) -> u32 {
+    shares.into_iter().rev().fold(0, |code, share| (code << 10) | (share.clamp(0.0, 1.0) * 1023.0).round() as u32)
+}
+
+/// The code of a place on the tile; places beyond [`PLACE_RANGE`] are clamped.
+pub fn pack_place(place: DVec2) -> u32 {
+    let [x, y] = (place / PLACE_RANGE).clamp(DVec2::NEG_ONE, DVec2::ONE).to_array();
+    let half = |x: f64| u32::from((x * 32767.0).round() as i16 as u16);
+    half(x) | (half(y) << 16)
+}
+
+fn unpack_place(code: u32) -> DVec2 {
+    let half = |bits: u32| (f64::from(bits as u16 as i16) / 32767.0).max(-1.0);
+    DVec2::new(half(code & 0xffff), half(code >> 16))
+}
+
+/// Place on the tile at a fragment.
+pub fn patch_uv(material: &Material, places: [u32; 3], corners: DVec3) -> DVec2 {
+    let place: DVec2 = places.into_iter().zip(corners.to_array()).map(|(code, share)| unpack_place(code) * share).sum();
+    tile_uv(material, PLACE_RANGE * place)
+}
+
+/// The patches of a face and their weights at a fragment.
+pub fn patches_at(table: PatchTable<'_>, face: usize, corners: DVec3) -> Patches {
+    let first = table.starts[face] as usize;
+    let count = (table.starts[face + 1] as usize - first).min(MAX_PATCHES);
+    let mut weights = [0.0; MAX_PATCHES];
+    let entries = &table.entries[first..first + count];
+    for (weight, entry) in weights.iter_mut().zip(entries) {
+        *weight = BEHIND_RANGE * unpack_tens(entry.shares).dot(corners);
+    }
+    let least = weights[..count].iter().copied().fold(1e9, f64::min);
+    for weight in &mut weights[..count] {
+        *weight = (1.0 - (*weight - least)).max(0.0);
+    }
+    let sum: f64 = weights[..count].iter().sum();
+    for weight in &mut weights[..count] {
+        *weight /= sum;
+    }
+    Patches { first, count, corners, weights }
+}
+
+/// Places on the tile and weights of all patches of a face at a fragment, without those that weigh nothing.
+pub fn patch_patterns(b: &Bindings<'_>, face: usize, corners: DVec3) -> Vec<(DVec2, f64)> {
+    let patches = patches_at(b.patches, face, corners);
+    (0..patches.count)
+        .filter(|i| patches.weights[*i] > 0.0)
+        .map(|i| {
+            let places = b.patches.entries[patches.first + i].places;
+            (patch_uv(b.material, places, corners), patches.weights[i])
+        })
+        .collect()
+}

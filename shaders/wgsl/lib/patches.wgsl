@@ -1,0 +1,66 @@
+// Overlapping parametrisations of a surface, found per face. Praun and others, "Real-Time Hatching", 2001, section 6.
+// As patches: the nearest has weight 1, others fade out with the distance they stand behind it. As lapped textures:
+// in the order of painting, each with its alpha.
+//!include lib/form.wgsl
+//!include lib/mapping.wgsl
+//!include lib/barycentric.wgsl
+
+struct PatchEntry {
+    // Place of each corner on the tile, two 16-bit snorm, in units of PLACE_RANGE tiles.
+    places: vec3u,
+    // Per corner a 10-bit unorm, low bits first: distance behind the nearest patch in units of BEHIND_RANGE feathers;
+    // of lapped textures the alpha.
+    shares: u32,
+}
+
+@group(3) @binding(0) var<storage, read> patch_starts: array<u32>;
+@group(3) @binding(1) var<storage, read> patch_entries: array<PatchEntry>;
+
+const MAPPING_PATCHES: u32 = 3u;
+const MAPPING_LAPPED: u32 = 4u;
+const MAX_PATCHES: u32 = 8u;
+const PLACE_RANGE: f32 = 4.0;
+const BEHIND_RANGE: f32 = 4.0;
+
+// The patches of a face as a fragment sees them.
+struct Patches {
+    first: u32,
+    count: u32,
+    // Barycentric weights of the corners.
+    corners: vec3f,
+    // Sum to 1.
+    weights: array<f32, 8>,
+}
+
+fn unpack_tens(code: u32) -> vec3f {
+    return vec3f(f32(code & 1023u), f32((code >> 10u) & 1023u), f32((code >> 20u) & 1023u)) / 1023.0;
+}
+
+fn patch_uv(places: vec3u, corners: vec3f) -> vec2f {
+    let place = corners.x * unpack2x16snorm(places.x) + corners.y * unpack2x16snorm(places.y)
+        + corners.z * unpack2x16snorm(places.z);
+    return tile_uv(PLACE_RANGE * place);
+}
+
+fn patches_at(face: u32, corners: vec3f) -> Patches {
+    var patches: Patches;
+    patches.first = patch_starts[face];
+    patches.count = min(patch_starts[face + 1u] - patches.first, MAX_PATCHES);
+    patches.corners = corners;
+    var least = 1e9;
+    for (var i = 0u; i < patches.count; i++) {
+        let behind = BEHIND_RANGE * dot(unpack_tens(patch_entries[patches.first + i].shares), corners);
+        patches.weights[i] = behind;
+        least = min(least, behind);
+    }
+    var sum = 0.0;
+    for (var i = 0u; i < patches.count; i++) {
+        let weight = max(0.0, 1.0 - (patches.weights[i] - least));
+        patches.weights[i] = weight;
+        sum += weight;
+    }
+    for (var i = 0u; i < patches.count; i++) {
+        patches.weights[i] /= sum;
+    }
+    return patches;
+}

@@ -1,0 +1,71 @@
+//! A patch turned and bent along the field. Lines of constant t run at the angle κs·s + κt·b to the patch's axis, as the
+//! field does to first order around the seed.
+
+use faer::c64;
+use glam::{DMat2, DVec2};
+
+use super::PatchOptions;
+use super::exp_map::Visit;
+use crate::surface::field::Field;
+use crate::surface::graph::Graph;
+
+/// Greatest bend, over one spacing.
+const GREATEST: f64 = 0.7;
+
+/// How a patch lies along the field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bend {
+    /// The axis, as an angle of the seed's frame.
+    pub(super) angle_rad: f64,
+    /// Change of the direction per unit along and across, in radians.
+    pub(super) rates: DVec2,
+}
+
+impl Bend {
+    /// Fitted to the field at the nodes of a patch; `spacing` is the distance of seeds here.
+    pub(super) fn fit(graph: &Graph, field: &Field, visits: &[Visit], spacing: f64, options: &PatchOptions) -> Self {
+        let straight = Self { angle_rad: 0.0, rates: DVec2::ZERO };
+        if !options.aligned {
+            return straight;
+        }
+        // The cell of the seed counts most; areas, so that dense places do not count more.
+        let weight = |visit: &Visit| {
+            let near = 1.0 - (visit.radius / (1.3 * spacing)).powi(2);
+            near.max(0.0) * graph.areas[visit.node as usize] * field.strengths[visit.node as usize].max(1e-3)
+        };
+        let doubled = |visit: &Visit| 2.0 * (field.angles_rad[visit.node as usize] + visit.turn_rad);
+        let sum: c64 = visits.iter().map(|visit| c64::from_polar(weight(visit), doubled(visit))).sum();
+        if sum.norm() == 0.0 {
+            let angle_rad = visits.first().map_or(0.0, |seed| field.angles_rad[seed.node as usize]);
+            return Self { angle_rad, ..straight };
+        }
+        let angle_rad = sum.arg() / 2.0;
+        if !options.bent {
+            return Self { angle_rad, ..straight };
+        }
+        let turned = DVec2::from_angle(-angle_rad);
+        let (mut ata, mut atb) = (DMat2::ZERO, DVec2::ZERO);
+        for visit in visits {
+            let place = turned.rotate(visit.place);
+            let weight = weight(visit);
+            let rest = c64::from_polar(1.0, doubled(visit) - 2.0 * angle_rad).arg() / 2.0;
+            ata += DMat2::from_cols(place * place.x, place * place.y) * weight;
+            atb += place * (rest * weight);
+        }
+        // Places in one line say nothing across it.
+        let floor = 1e-6 * (ata.x_axis.x + ata.y_axis.y);
+        let ata = ata + DMat2::from_diagonal(DVec2::splat(floor));
+        let rates = if ata.determinant() > 0.0 { ata.inverse() * atb } else { DVec2::ZERO };
+        let limit = GREATEST / spacing.max(1e-12);
+        Self { angle_rad, rates: rates.clamp(DVec2::splat(-limit), DVec2::splat(limit)) }
+    }
+
+    /// The place (s, t) of a place of the patch: strokes run along s.
+    ///
+    /// `t = b·exp(-κt·s) - ½κs·s²` has the wanted slope at t = 0 and never folds.
+    pub(super) fn place(&self, place: DVec2) -> DVec2 {
+        let place = DVec2::from_angle(-self.angle_rad).rotate(place);
+        let across = (-self.rates.y * place.x).clamp(-1.0, 1.0).exp();
+        DVec2::new(place.x, place.y * across - 0.5 * self.rates.x * place.x * place.x)
+    }
+}

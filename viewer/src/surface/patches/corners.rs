@@ -1,0 +1,172 @@
+//! What each triangle sees of the patches: per patch the places of its three corners on the tile, and how far each
+//! corner stands behind the nearest patch.
+//!
+//! A patch has the weight `max(0, 1 - (δ - least δ))` at a fragment, δ interpolated between the corners: patches pass
+//! into each other over the feather, weights are continuous across all edges, and the nearest patch always has 1.
+
+use glam::DVec2;
+use rayon::prelude::*;
+use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, MAX_PATCHES, pack_place, pack_tens};
+use tam_shaders::types::PatchEntry;
+
+use super::exp_map::Visit;
+use super::fallback::planar;
+use super::{PatchOptions, Patches, Seed};
+use crate::surface::field::Field;
+use crate::surface::graph::Graph;
+
+/// Patches of a triangle at most.
+pub const MAX_ENTRIES: usize = MAX_PATCHES;
+
+/// Patches that may overlap at a node: the feather ends before one more comes in.
+const MAX_OVERLAP: usize = 5;
+
+/// A patch's places must keep the lengths of a triangle within this factor: where a patch meets itself round a finger,
+/// they do not.
+const GREATEST_STRETCH: f64 = 2.5;
+
+/// A patch as one triangle sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// Index of the seed; `u32::MAX` where the triangle has a plane of its own.
+    pub seed: u32,
+    /// Per corner, place on the tile, in tiles.
+    pub uv: [DVec2; 3],
+    /// Per corner, 0..=4: distance behind the nearest patch, in feathers.
+    pub behind: [f64; 3],
+}
+
+impl Entry {
+    /// As the shaders read it.
+    pub fn packed(&self) -> PatchEntry {
+        PatchEntry {
+            places: self.uv.map(pack_place),
+            shares: pack_tens(self.behind.map(|behind| behind / BEHIND_RANGE)),
+        }
+    }
+}
+
+/// A patch at a node.
+#[derive(Clone, Copy)]
+struct Seen {
+    seed: u32,
+    place: DVec2,
+    /// Distance to the seed in the metric, in mesh units.
+    distance: f64,
+    behind: f64,
+}
+
+/// Gathers the patches of all triangles.
+pub(super) fn gather(
+    graph: &Graph,
+    field: &Field,
+    density: &[f64],
+    patches: &[(Seed, Vec<Visit>)],
+    options: &PatchOptions,
+) -> Patches {
+    let (starts, mut seen) = by_node(graph, density, patches);
+    let feather = options.feather_tiles / options.tiles_per_unit;
+    let mut rest = seen.as_mut_slice();
+    let mut slices = Vec::with_capacity(graph.len());
+    for node in 0..graph.len() {
+        let (head, tail) = rest.split_at_mut(starts[node + 1] - starts[node]);
+        slices.push(head);
+        rest = tail;
+    }
+    slices.into_par_iter().for_each(|seen| {
+        seen.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.seed.cmp(&b.seed)));
+        let Some(nearest) = seen.first().map(|seen| seen.distance) else { return };
+        let gap = seen.get(MAX_OVERLAP).map_or(f64::INFINITY, |next| next.distance - nearest);
+        let feather = feather.min(gap).max(1e-3 * feather);
+        for seen in seen {
+            seen.behind = ((seen.distance - nearest) / feather).min(BEHIND_RANGE);
+        }
+    });
+    let of = |node: u32| &seen[starts[node as usize]..starts[node as usize + 1]];
+    let lists: Vec<Vec<Entry>> = graph
+        .triangles
+        .par_iter()
+        .map(|triangle| {
+            let mut entries = entries(graph, *triangle, triangle.map(of));
+            let finish = |seed: u32, places: [DVec2; 3]| {
+                let uv = places.map(|place| place * options.tiles_per_unit);
+                match patches.get(seed as usize) {
+                    Some((seed, _)) => uv.map(|corner| corner + DVec2::from(seed.offset_uv)),
+                    // Whole tiles are taken off, so that the numbers stay small.
+                    None => uv.map(|corner| corner - uv[0].floor()),
+                }
+            };
+            if entries.is_empty() {
+                entries.push(Entry { seed: u32::MAX, uv: planar(graph, field, *triangle), behind: [0.0; 3] });
+            }
+            for entry in &mut entries {
+                entry.uv = finish(entry.seed, entry.uv);
+            }
+            entries
+        })
+        .collect();
+    let mut patches_of = Patches {
+        seeds: patches.iter().map(|(seed, _)| *seed).collect(),
+        starts: Vec::with_capacity(lists.len() + 1),
+        entries: Vec::with_capacity(lists.iter().map(Vec::len).sum()),
+        tiles_per_unit: options.tiles_per_unit,
+    };
+    patches_of.starts.push(0);
+    for list in lists {
+        patches_of.entries.extend(list);
+        patches_of.starts.push(patches_of.entries.len() as u32);
+    }
+    patches_of
+}
+
+/// The patches at each node, node by node.
+fn by_node(graph: &Graph, density: &[f64], patches: &[(Seed, Vec<Visit>)]) -> (Vec<usize>, Vec<Seen>) {
+    let mut starts = vec![0usize; graph.len() + 1];
+    for visit in patches.iter().flat_map(|(_, visits)| visits) {
+        starts[visit.node as usize + 1] += 1;
+    }
+    for node in 0..graph.len() {
+        starts[node + 1] += starts[node];
+    }
+    let none = Seen { seed: 0, place: DVec2::ZERO, distance: 0.0, behind: 0.0 };
+    let mut seen = vec![none; starts[graph.len()]];
+    let mut next = starts.clone();
+    for (index, (seed, visits)) in patches.iter().enumerate() {
+        for visit in visits {
+            let dense = 0.5 * (density[seed.node as usize] + density[visit.node as usize]);
+            let place = &mut next[visit.node as usize];
+            seen[*place] = Seen { seed: index as u32, place: visit.place, distance: visit.radius * dense, behind: 0.0 };
+            *place += 1;
+        }
+    }
+    (starts, seen)
+}
+
+/// The patches of a triangle that weigh anything somewhere in it; places in mesh units.
+fn entries(graph: &Graph, triangle: [u32; 3], seen: [&[Seen]; 3]) -> Vec<Entry> {
+    let lengths = |places: [DVec2; 3]| [0, 1, 2].map(|k| places[(k + 1) % 3].distance(places[k]));
+    let corners = triangle.map(|node| graph.positions[node as usize]);
+    let true_lengths = [0, 1, 2].map(|k| corners[(k + 1) % 3].distance(corners[k]));
+    let longest = true_lengths.iter().copied().fold(0.0, f64::max);
+    let mut entries: Vec<Entry> = Vec::new();
+    for first in seen[0] {
+        // A patch that does not reach all three corners ends before this triangle.
+        let at = [1, 2].map(|k| seen[k].iter().find(|other| other.seed == first.seed));
+        let [Some(second), Some(third)] = at else { continue };
+        let uv = [first.place, second.place, third.place];
+        let whole = lengths(uv).into_iter().zip(true_lengths).all(|(found, wanted)| {
+            found <= GREATEST_STRETCH * wanted + 0.05 * longest && wanted <= GREATEST_STRETCH * found + 0.05 * longest
+        });
+        if whole {
+            entries.push(Entry { seed: first.seed, uv, behind: [first.behind, second.behind, third.behind] });
+        }
+    }
+    // Somewhere in the triangle the least δ may be this great, so more patches than those at the corners can weigh.
+    let greatest = |entry: &Entry| entry.behind.into_iter().fold(0.0, f64::max);
+    let least = |entry: &Entry| entry.behind.into_iter().fold(f64::INFINITY, f64::min);
+    let slack = entries.iter().map(greatest).fold(f64::INFINITY, f64::min);
+    entries.retain(|entry| least(entry) < 1.0 + slack);
+    entries.sort_by(|a, b| least(a).total_cmp(&least(b)).then(a.seed.cmp(&b.seed)));
+    entries.truncate(MAX_ENTRIES);
+    entries
+}

@@ -1,0 +1,113 @@
+//! The discrete exponential map: coordinates around a seed that are true to length along the ways out from it.
+//! Schmidt, Grimm, Wyvill, "Interactive decal compositing with discrete exponential maps", 2006; each node is predicted
+//! from all its finished neighbours, weighted by one over the distance.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use faer::c64;
+use glam::DVec2;
+
+use super::seeds::{Ordered, dense_length};
+use crate::surface::graph::Graph;
+
+/// A node in a patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Visit {
+    pub(super) node: u32,
+    /// Place in the patch, in mesh units: the seed is the origin.
+    pub(super) place: DVec2,
+    /// Added to an angle in the node's frame, it gives the angle in the patch.
+    pub(super) turn_rad: f64,
+    /// Distance to the seed, in mesh units; bending does not change it.
+    pub(super) radius: f64,
+}
+
+/// Explores one patch after the other with the same memory.
+pub(super) struct Explorer {
+    /// Per node, the way to it in the metric; infinite where it was not reached.
+    distance: Vec<f64>,
+    /// Per node, its visit; `u32::MAX` where it is not finished.
+    finished: Vec<u32>,
+    touched: Vec<u32>,
+    heap: BinaryHeap<Reverse<(Ordered, u32)>>,
+}
+
+const UNFINISHED: u32 = u32::MAX;
+
+impl Explorer {
+    pub(super) fn new(nodes: usize) -> Self {
+        Self {
+            distance: vec![f64::INFINITY; nodes],
+            finished: vec![UNFINISHED; nodes],
+            touched: Vec::new(),
+            heap: BinaryHeap::new(),
+        }
+    }
+
+    /// All nodes within a distance of the seed (in the metric), in the order of their distance.
+    pub(super) fn explore(&mut self, graph: &Graph, density: &[f64], seed: u32, reach: f64) -> Vec<Visit> {
+        let mut visits: Vec<Visit> = Vec::new();
+        self.reach(seed, 0.0);
+        while let Some(Reverse((Ordered(distance), node))) = self.heap.pop() {
+            if self.finished[node as usize] != UNFINISHED || distance > self.distance[node as usize] {
+                continue;
+            }
+            let visit = if node == seed {
+                Visit { node, place: DVec2::ZERO, turn_rad: 0.0, radius: 0.0 }
+            } else {
+                self.predicted(graph, &visits, node)
+            };
+            self.finished[node as usize] = visits.len() as u32;
+            visits.push(visit);
+            for end in graph.ends(node as usize) {
+                let next = distance + dense_length(graph, density, node, end.node);
+                // The first ring always belongs to a patch.
+                if next < self.distance[end.node as usize] && (next <= reach || node == seed) {
+                    self.reach(end.node, next);
+                }
+            }
+        }
+        for node in self.touched.drain(..) {
+            self.distance[node as usize] = f64::INFINITY;
+            self.finished[node as usize] = UNFINISHED;
+        }
+        visits
+    }
+
+    fn reach(&mut self, node: u32, distance: f64) {
+        if self.distance[node as usize].is_infinite() {
+            self.touched.push(node);
+        }
+        self.distance[node as usize] = distance;
+        self.heap.push(Reverse((Ordered(distance), node)));
+    }
+
+    fn predicted(&self, graph: &Graph, visits: &[Visit], node: u32) -> Visit {
+        let (mut place, mut turn, mut total) = (DVec2::ZERO, c64::new(0.0, 0.0), 0.0);
+        for end in graph.ends(node as usize) {
+            let Some(from) = visits.get(self.finished[end.node as usize] as usize) else { continue };
+            let step = graph.positions[node as usize] - graph.positions[end.node as usize];
+            let length = step.length();
+            let weight = 1.0 / length.max(1e-12);
+            // The step as seen from both its ends: the mean direction is that of the arc between them.
+            let link_turn = graph.turn_from(end.link, node);
+            let here = c64::from_polar(1.0, graph.angle(end.node as usize, step));
+            let there = c64::from_polar(1.0, graph.angle(node as usize, step) + link_turn);
+            let direction = (here + there).arg() + from.turn_rad;
+            place += weight * (from.place + DVec2::from_angle(direction) * length);
+            turn += c64::from_polar(weight, link_turn + from.turn_rad);
+            total += weight;
+        }
+        let place = if total > 0.0 { place / total } else { place };
+        Visit { node, place, turn_rad: turn.arg(), radius: place.length() }
+    }
+}
+
+/// The map around a node: other nodes within a distance and their places in the node's frame, in mesh units, nearest
+/// first.
+pub fn exponential_map(graph: &Graph, node: u32, reach: f64) -> Vec<(u32, DVec2)> {
+    let density = vec![1.0; graph.len()];
+    let visits = Explorer::new(graph.len()).explore(graph, &density, node, reach);
+    visits.into_iter().map(|visit| (visit.node, visit.place)).collect()
+}

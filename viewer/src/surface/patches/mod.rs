@@ -1,0 +1,131 @@
+//! Patches: many small parametrisations that follow the direction field and overlap, so that whole strokes follow the
+//! form of any mesh. Praun and others, "Real-Time Hatching", 2001, section 6, made current: seeds spread evenly, a
+//! discrete exponential map around each, and blending by distance instead of painting.
+//!
+//! ```text
+//! graph, field ─► density ─► seeds ─► exponential maps ─► bent along the field ─► corners of the triangles
+//! ```
+
+mod bend;
+mod corners;
+mod exp_map;
+mod fallback;
+mod seeds;
+
+use rayon::prelude::*;
+use tam_shaders::types::PatchEntry;
+
+use super::curvature::Curvature;
+use super::field::Field;
+use super::graph::Graph;
+use bend::Bend;
+use exp_map::{Explorer, Visit};
+
+pub use corners::{Entry, MAX_ENTRIES};
+pub use exp_map::exponential_map;
+
+/// How patches are made.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PatchOptions {
+    /// Repeats of the tile per unit of the mesh for which patches are made: they grow with the tile.
+    pub tiles_per_unit: f64,
+    /// Distance of the seeds in tiles, 0.1..=1.5.
+    pub spacing_tiles: f64,
+    /// Width in tiles over which patches pass into each other, 0.01..=1.
+    pub feather_tiles: f64,
+    /// How much denser seeds are where the surface bends, 1..=8.
+    pub greatest_density: f64,
+    /// Whether patches bend along the field within themselves.
+    pub bent: bool,
+    /// Whether patches turn with the field at their seeds; else they lie in the nodes' fixed frames.
+    pub aligned: bool,
+}
+
+impl Default for PatchOptions {
+    fn default() -> Self {
+        Self {
+            tiles_per_unit: 1.5,
+            spacing_tiles: 0.4,
+            feather_tiles: 0.18,
+            greatest_density: 2.5,
+            bent: true,
+            aligned: true,
+        }
+    }
+}
+
+impl PatchOptions {
+    /// Length of edges, in mesh units, above which patches are coarse.
+    pub fn longest_edge(&self) -> f64 {
+        self.spacing_tiles / self.tiles_per_unit / 3.0
+    }
+}
+
+/// How far a patch reaches, in spacings: its own cell, the feather, and the corners of triangles beyond.
+const REACH: f64 = 1.9;
+
+/// The centre of a patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seed {
+    /// Its node.
+    pub node: u32,
+    /// Angle of the patch's first axis in the node's frame, in radians.
+    pub angle_rad: f64,
+    /// Place of the seed on the tile, each 0..1, so that no two patches show the same strokes.
+    pub offset_uv: [f64; 2],
+}
+
+/// The patches of a surface, as a shader reads them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Patches {
+    /// The centres.
+    pub seeds: Vec<Seed>,
+    /// Per triangle: the first of its entries, and after the last triangle their number.
+    pub starts: Vec<u32>,
+    /// What each triangle sees of its patches, by triangle; 1..=[`MAX_ENTRIES`] each.
+    pub entries: Vec<Entry>,
+    /// Repeats of the tile per unit for which they were made.
+    pub tiles_per_unit: f64,
+}
+
+impl Patches {
+    /// The entries of a triangle.
+    pub fn of(&self, triangle: usize) -> &[Entry] {
+        &self.entries[self.starts[triangle] as usize..self.starts[triangle + 1] as usize]
+    }
+
+    /// All entries, as the shaders read them.
+    pub fn packed(&self) -> Vec<PatchEntry> {
+        self.entries.par_iter().map(Entry::packed).collect()
+    }
+
+    /// Bytes of starts and entries on the GPU.
+    pub fn bytes(&self) -> u64 {
+        4 * self.starts.len() as u64 + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
+    }
+}
+
+/// The patches of a surface. Every triangle has one at least, whatever the mesh.
+pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: &PatchOptions) -> Patches {
+    let tile = 1.0 / options.tiles_per_unit;
+    let spacing = options.spacing_tiles * tile;
+    let density = seeds::density(graph, curvatures, spacing, options.greatest_density);
+    let nodes = seeds::spread(graph, &density, spacing);
+    let visits: Vec<(Seed, Vec<Visit>)> = nodes
+        .par_iter()
+        .enumerate()
+        .map_init(
+            || Explorer::new(graph.len()),
+            |explorer, (index, &node)| {
+                let mut visits = explorer.explore(graph, &density, node, REACH * spacing);
+                let bend = Bend::fit(graph, field, &visits, spacing / density[node as usize], options);
+                for visit in &mut visits {
+                    visit.place = bend.place(visit.place);
+                }
+                (Seed { node, angle_rad: bend.angle_rad, offset_uv: seeds::offset(index) }, visits)
+            },
+        )
+        .collect();
+    corners::gather(graph, field, &density, &visits, options)
+}
