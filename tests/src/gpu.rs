@@ -5,7 +5,8 @@ use tam_gen::{Job, Preset};
 use tam_viewer::gpu::{Gpu, GpuMap, GpuOptions, PixelFormat};
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::{Mesh, Placement, RawMesh, prepare};
-use tam_viewer::{Camera, Light, Lights, RenderParams, Renderer, Scene};
+use tam_viewer::surface::{PatchOptions, StripeOptions, Surface, SurfaceOptions};
+use tam_viewer::{Camera, Light, Lights, Mapping, Method, RenderParams, Renderer, Scene};
 
 /// The adapter that tests run on where nothing else is asked for.
 const SOFTWARE: &str = "llvmpipe";
@@ -61,11 +62,37 @@ impl Stage {
     /// # Panics
     /// If it cannot be drawn.
     pub fn draw(&mut self, scene: &Scene, params: &RenderParams, mesh: &Mesh) -> Vec<[f32; 4]> {
-        let mesh = self.renderer.mesh(mesh).expect("a mesh that fits");
+        let surface = surface_for(params, mesh);
+        let mut mesh = self.renderer.mesh(mesh).expect("a mesh that fits");
+        if let Some(surface) = &surface {
+            self.renderer.attach(&mut mesh, surface).expect("a surface that fits");
+        }
         let target = self.renderer.target([self.size; 2], 1, PixelFormat::Linear32).expect("a picture that fits");
         self.renderer.render(scene, params, &mesh, &[&self.map], &target).expect("a frame");
         target.read(&self.renderer.gpu).expect("pixels").linear()
     }
+}
+
+/// The surface that a mapping draws with, as it is without options; `None` where it needs none. The mesh is not cut.
+///
+/// # Panics
+/// If there is no field.
+pub fn surface_for(params: &RenderParams, mesh: &Mesh) -> Option<Surface> {
+    let patches = PatchOptions { tiles_per_unit: params.tiles_per_unit, ..PatchOptions::default() };
+    let patched = params.method.takes_mapping() && params.mapping.takes_surface();
+    let striped = params.method == Method::Stripes;
+    let options = SurfaceOptions {
+        patches: patched.then_some(patches),
+        stripes: striped.then(StripeOptions::default),
+        ..SurfaceOptions::default()
+    };
+    (patched || striped).then(|| Surface::new(mesh, &options).expect("a field"))
+}
+
+/// The mappings that a mesh can be drawn with.
+pub fn mappings(mesh: &Mesh) -> Vec<Mapping> {
+    let all = Mapping::ALL.into_iter().filter(|mapping| *mapping != Mapping::Lapped);
+    all.filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect()
 }
 
 /// A camera straight in front of the mesh.
@@ -110,6 +137,7 @@ pub fn unmended(positions: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
         points: (0..count).collect(),
         point_count: positions.len(),
         normal_groups: (0..count).collect(),
+        midpoints: Vec::new(),
         sources: (0..count).collect(),
         neighbours: triangles
             .iter()

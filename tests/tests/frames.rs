@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::{DVec3, dvec3};
 use tam_gen::sequence::Draw;
-use tam_tests::gpu::{Stage, difference, nan_count, renderer_with};
+use tam_tests::gpu::{Stage, difference, mappings, nan_count, renderer_with, surface_for};
 use tam_viewer::gpu::{GpuOptions, PixelFormat};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, NONE, prepare};
@@ -40,10 +40,13 @@ fn no_pixel_is_without_a_number_on_any_sample_method_mapping_and_light() {
     let target = stage.renderer.target([24, 24], 1, PixelFormat::Linear32).expect("a small target");
     for sample in Sample::ALL {
         let mesh = prepare(sample.build(600)).expect("a sample").mesh;
-        let gpu_mesh = stage.renderer.mesh(&mesh).expect("a mesh that fits");
+        let mut gpu_mesh = stage.renderer.mesh(&mesh).expect("a mesh that fits");
+        let patches = RenderParams { mapping: Mapping::Patches, ..RenderParams::default() };
+        let surface = surface_for(&patches, &mesh).expect("patches take a surface");
+        stage.renderer.attach(&mut gpu_mesh, &surface).expect("a surface that fits");
         for method in Method::ALL {
-            for mapping in Mapping::ALL {
-                if mapping == Mapping::Uv && mesh.uvs.is_empty() || !method.takes_mapping() && mapping != Mapping::Uv {
+            for (k, mapping) in mappings(&mesh).into_iter().enumerate() {
+                if !method.takes_mapping() && k > 0 {
                     continue;
                 }
                 let mut draw = Draw::new(7, sample.name());

@@ -1,13 +1,15 @@
 //! What an adapter draws is what the twins draw: every method, mapping and form, on a flat square and on a sphere.
 
 use glam::DVec3;
-use tam_shaders::cpu::{self, MapImage, Options};
+use tam_shaders::cpu::lib::patches::PatchTable;
+use tam_shaders::cpu::{self, MapImage, Options, StripeTable};
 use tam_shaders::{Pass, types};
-use tam_tests::gpu::{Stage, front_camera, light_from};
+use tam_tests::gpu::{Stage, front_camera, light_from, mappings, surface_for};
 use tam_viewer::gpu::GpuMap;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
+use tam_viewer::surface::Patches;
 use tam_viewer::{FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
 
 const SIDE: u32 = 96;
@@ -33,6 +35,7 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
         Method::FaceFrame if params.face_frame == FaceFrameForm::Fetched => columns(Pass::FaceFrame),
         Method::FaceFrame => columns(Pass::FaceFrameVertex),
         Method::Halftone => columns(Pass::StrokeMap),
+        Method::Stripes => columns(Pass::Stripes),
         Method::SixWay => {
             let six = source.six_columns();
             let tones = six.iter().map(|column| source.grid.tones[*column]).collect();
@@ -65,6 +68,8 @@ fn options(params: &RenderParams) -> Options {
             Mapping::Uv => cpu::Mapping::Uv,
             Mapping::Frames => cpu::Mapping::Frames,
             Mapping::Triplanar => cpu::Mapping::Triplanar,
+            Mapping::Patches => cpu::Mapping::Patches,
+            Mapping::Lapped => cpu::Mapping::Lapped,
         },
         blend: match params.blend {
             tam_viewer::Blend::Union => cpu::Blend::Union,
@@ -82,6 +87,8 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         Some(density) if by_uv => (params.tiles_per_unit / density).round().max(1.0),
         _ => params.tiles_per_unit,
     } as f32;
+    // Patches are stored in tiles already.
+    let in_tiles = if params.mapping.takes_surface() { 1.0 } else { scale };
     let mut tones = [[0.0; 4]; 17];
     for (k, tone) in drawn.tones.iter().enumerate() {
         tones.as_flattened_mut()[k + 1] = *tone as f32;
@@ -92,7 +99,7 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         diffuse: 1.0,
         specular: 0.0,
         shininess: 24.0,
-        tile_from_surface: [scale, 0.0, 0.0, scale],
+        tile_from_surface: [in_tiles, 0.0, 0.0, in_tiles],
         shift_uv: [0.0; 2],
         tile_scale: scale,
         size_px: drawn.map.levels[0].size as f32,
@@ -103,7 +110,7 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         slope: params.slope as f32,
         line_period_px: params.line_period_px as f32,
         distribution_entries: drawn.distribution.first().map_or(0, Vec::len) as f32,
-        _pad: 0.0,
+        cross_from: params.cross_from.unwrap_or(1.0) as f32,
         tones,
     }
 }
@@ -126,7 +133,17 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let radius = mesh.positions.iter().map(|p| p.length()).fold(0.0, f32::max);
     let shared = scene.shared([SIDE; 2], radius.into());
     let triangles = 0..mesh.triangles.len() as u32;
-    let draws = [Draw { triangles, material: &material, map: &drawn.map, distribution: &drawn.distribution }];
+    let surface = surface_for(params, mesh);
+    let patches = surface.as_ref().and_then(|surface| surface.patches.as_ref());
+    let entries = patches.map_or(Vec::new(), Patches::packed);
+    let patches = PatchTable { starts: patches.map_or(&[], |patches| &patches.starts), entries: &entries };
+    let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
+    let stripes = stripes.map_or(StripeTable::default(), |stripes| StripeTable {
+        along: &stripes.along,
+        across: &stripes.across,
+    });
+    let (map, distribution) = (&drawn.map, &drawn.distribution);
+    let draws = [Draw { triangles, material: &material, map, distribution, patches, stripes }];
     let how = How { pass: drawn.pass, options: options(params), samples: 1 };
     let twin = Reference::new(mesh).render(&shared, &draws, &how).expect("the reference draws");
 
@@ -158,8 +175,7 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
 /// Whether fragments take derivatives of what comes from the faces' frames. Fragments that only help their neighbours
 /// read nothing from buffers on Mesa's software driver (22.3), so a difference to them is none.
 fn reads_frames_of_helpers(params: &RenderParams) -> bool {
-    let derives = matches!(params.method, Method::StrokeMap | Method::Halftone) && params.form == Form::Hardened;
-    derives && params.mapping == Mapping::Frames
+    params.method == Method::Halftone && params.form == Form::Hardened && params.mapping == Mapping::Frames
 }
 
 /// Whether all four pixels of a pixel's quad show the same face.
@@ -187,19 +203,19 @@ fn scene() -> Scene {
 }
 
 /// Every way to draw that differs: methods with their mappings, both forms, and `face-frame` in its three places.
-fn ways() -> Vec<RenderParams> {
+fn ways(mesh: &Mesh) -> Vec<RenderParams> {
     let mut ways = Vec::new();
     for method in Method::ALL {
         for form in [Form::Hardened, Form::Literal] {
             let base = RenderParams { method, form, silhouettes: None, ..RenderParams::default() };
             match method {
-                Method::Phong => ways.push(base),
+                Method::Phong | Method::Stripes => ways.push(base),
                 Method::FaceFrame => {
                     ways.push(base);
                     ways.push(RenderParams { face_frame: FaceFrameForm::Vertex, ..base });
                     ways.push(RenderParams { face_frame: FaceFrameForm::VertexFetched, ..base });
                 }
-                _ => ways.extend(Mapping::ALL.map(|mapping| RenderParams { mapping, ..base })),
+                _ => ways.extend(mappings(mesh).into_iter().map(|mapping| RenderParams { mapping, ..base })),
             }
         }
     }
@@ -210,7 +226,7 @@ fn failures(sample: Sample, triangles: usize) -> Vec<String> {
     let mesh = prepare(sample.build(triangles)).expect("a mesh").mesh;
     let mut stage = Stage::new("pencil", SIDE);
     let mut failures = Vec::new();
-    for params in ways() {
+    for params in ways(&mesh) {
         let difference = compare(&mut stage, &scene(), &params, &mesh);
         let (share, mean) = bounds(&params);
         // Places on the screen are rounded to 1/256 of a pixel, so an outline may pass a pixel's middle on either side.

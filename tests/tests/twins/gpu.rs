@@ -31,7 +31,7 @@ impl Gpu {
             let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
             panic!("no Vulkan adapter is named like {wanted} (found: {names:?}); install mesa-vulkan-drivers")
         });
-        let limits = wgpu::Limits { max_storage_buffers_per_shader_stage: 10, ..Default::default() };
+        let limits = wgpu::Limits { max_storage_buffers_per_shader_stage: 12, ..Default::default() };
         let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .unwrap_or_else(|error| panic!("{} gives no device: {error}", adapter.get_info().name));

@@ -156,7 +156,7 @@ impl Row {
 
 const HARNESS: &str = "
 struct Case { a: vec4f, b: vec4f, c: vec4f, d: vec4f }
-@group(3) @binding(0) var<storage, read> cases: array<Case>;
+@group(3) @binding(20) var<storage, read> cases: array<Case>;
 @vertex
 fn harness_vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
     return vec4f(f32(i & 1u) * 2.0 - 1.0, 1.0 - f32(i >> 1u) * 2.0, 0.0, 1.0);

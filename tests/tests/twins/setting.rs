@@ -4,6 +4,7 @@ use glam::{DVec2, DVec4, Mat4, Vec3};
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
+use tam_shaders::cpu::lib::patches::{PatchTable, pack_place, pack_tens};
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lines::LineStyle;
 use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
@@ -36,6 +37,8 @@ pub(crate) struct Setting {
     pub(crate) face_frames: Vec<types::FaceFrame>,
     /// Along and across.
     pub(crate) stripes: [Vec<types::StripePhases>; 2],
+    pub(crate) patch_starts: Vec<u32>,
+    pub(crate) patch_entries: Vec<types::PatchEntry>,
     pub(crate) map: MapImage,
     pub(crate) distribution: Vec<Vec<f32>>,
     pub(crate) twin: Twin,
@@ -136,6 +139,8 @@ impl Setting {
         let face_normals: Vec<[f32; 4]> = (0..FACES).map(|i| direction(i, 40).extend(has_area(i)).into()).collect();
         let face_planes: Vec<[f32; 4]> = (0..2 * FACES).map(plane).collect();
         let face_frames: Vec<_> = (0..FACES).map(frame).collect();
+        let patch_starts: Vec<u32> = (0..=FACES as u32).map(|face| face * (face + 7) / 16).collect();
+        let patch_entries = (0..patch_starts[FACES] as usize).map(|i| patch_entry(draw(i))).collect();
         let map = noise_map(seed, tones.len() - 1);
         let distribution = distribution(seed);
         let twin = Twin {
@@ -162,6 +167,8 @@ impl Setting {
             face_planes,
             face_frames,
             stripes: [0, FACES].map(|first| (first..first + FACES).map(stripe).collect()),
+            patch_starts,
+            patch_entries,
             map,
             distribution,
             twin,
@@ -186,7 +193,17 @@ impl Setting {
             map: &self.map,
             distribution: &self.twin.distribution,
             stripes: StripeTable { along: &self.stripes[0], across: &self.stripes[1] },
+            patches: PatchTable { starts: &self.patch_starts, entries: &self.patch_entries },
         }
+    }
+}
+
+/// A patch anywhere on the tile; a third of them the nearest at one corner.
+fn patch_entry(draw: Draw) -> types::PatchEntry {
+    let share = |slot: u64| if draw.pick(slot, 3) == 0 { 0.0 } else { 0.5 * draw.unit(slot + 10) };
+    types::PatchEntry {
+        places: [1070, 1072, 1074].map(|slot| pack_place(draw.tile(slot, 2.0))),
+        shares: pack_tens([1080, 1081, 1082].map(share)),
     }
 }
 
@@ -312,6 +329,8 @@ impl Uploaded {
             ("stripes_across", buffer(bytemuck::cast_slice(&setting.stripes[1]), storage)),
             // As the vertices of an index buffer that is the list of vertices.
             ("provoking", buffer(bytemuck::cast_slice(&(0..VERTICES as u32).collect::<Vec<_>>()), storage)),
+            ("patch_starts", buffer(bytemuck::cast_slice(&setting.patch_starts), storage)),
+            ("patch_entries", buffer(bytemuck::cast_slice(&setting.patch_entries), storage)),
             ("edges", buffer(bytemuck::cast_slice(&setting.edges), storage)),
             ("cases", buffer(bytemuck::cast_slice(&cases), storage)),
         ];

@@ -181,3 +181,36 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let none = reference.render(&empty, &draw(0..2), &how);
     assert_eq!(none, Err(ReferenceError::Size { size: [0.0, 5.0], samples: 1 }));
 }
+
+/// A square whose phase grows by `lines` to the right and by a third of it upwards; for the second field, across it.
+fn square_of_stripes(lines: f32) -> [Vec<types::StripePhases>; 2] {
+    let phases = |x: f32, y: f32| {
+        let at = |corner: [f32; 2]| x * corner[0] + y * corner[1];
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(at);
+        [[0, 1, 2], [0, 2, 3]].map(|triangle| types::StripePhases::wound(triangle.map(|k: usize| corners[k]), 0)).to_vec()
+    };
+    [phases(lines, lines / 3.0), phases(-lines / 3.0, lines)]
+}
+
+#[test]
+fn stripes_draw_the_mean_ink_that_is_wanted_at_any_level() {
+    let reference = Reference::new(&square());
+    let map = MapImage::default();
+    let distribution: &[Vec<f64>] = &[];
+    // Lines 6 to 12 px apart, at five places between one doubling and the next; the last is too dense for pixels.
+    for lines in [1.5, 1.8, 2.1, 2.5, 2.9, 36.0, 90.0] {
+        let [along, across] = square_of_stripes(lines);
+        for (cross_from, d) in [(1.0, 0.1), (1.0, 0.37), (1.0, 0.5), (1.0, 0.8), (0.4, 0.55), (0.4, 0.9), (0.0, 0.3)] {
+            let material = types::Material { cross_from, ..material(&[1.0], 1, 1, 0) };
+            let stripes = StripeTable { along: &along, across: &across };
+            let patches = PatchTable::default();
+            let draws = [Draw { triangles: 0..2, material: &material, map: &map, distribution, patches, stripes }];
+            let how = How { pass: Pass::Stripes, options: Options::default(), samples: 4 };
+            let picture = reference.render(&scene(d), &draws, &how).unwrap();
+            // In a window of whole lines of both fields: three periods to the right and three upwards close.
+            let ink = picture.colours.iter().map(|colour| 1.0 - colour.x).sum::<f64>() / picture.colours.len() as f64;
+            // The square cuts lines off: half a line of a dozen at most, weighed by what is missing or too much.
+            assert!((ink - d).abs() < 0.02, "{ink} for {d} at {lines} lines, crossed from {cross_from}");
+        }
+    }
+}

@@ -35,9 +35,18 @@ pub(crate) fn rows() -> Vec<Row> {
         .twin(|b, case| one(distribution_entry(b.distribution, case[0].x as usize, case[0].y as usize)))
         .within(1e-30, 0.0),
         // A place among eight intervals is off by 8 round-offs, and rows rise by less than 8 per unit.
-        row("equalised", Pass::StrokeMap, "vec4f(equalised(a.x, a.y), 0.0, 0.0, 0.0)", tone_and_level)
-            .twin(|b, case| one(equalised(b.material, b.distribution, case[0].x, case[0].y)))
+        row("equalised", Pass::StrokeMap, "vec4f(equalised(a.x, a.y).share, 0.0, 0.0, 0.0)", tone_and_level)
+            .twin(|b, case| one(equalised(b.material, b.distribution, case[0].x, case[0].y).share))
             .within(16.0 * U, 0.0),
+        // Eight intervals stretch the difference of two entries; where a place falls between two of them, rounding
+        // decides which.
+        row("equalised", Pass::StrokeMap, "vec4f(equalised(a.x, a.y).rate, 0.0, 0.0, 0.0)", tone_and_level)
+            .twin(|b, case| one(equalised(b.material, b.distribution, case[0].x, case[0].y).rate))
+            .except_where(|b, case| {
+                let x = case[0].x * (b.material.distribution_entries - 1.0);
+                (x - x.round()).abs() < 16.0 * U
+            })
+            .within(64.0 * U, 0.0),
         row("fract_of", Pass::StrokeMap, "vec4f(fract_of(a.x, i32(a.y)), 0.0, 0.0, 0.0)", tone_and_level)
             .twin(|_, case| one(fract_of(case[0].x, case[0].y as usize)))
             .within(2.0 * U, 0.0),

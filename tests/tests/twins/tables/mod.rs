@@ -4,6 +4,7 @@ mod frames;
 mod light;
 mod lines;
 mod maps;
+mod patches;
 mod stripes;
 mod surface;
 
@@ -15,10 +16,8 @@ use crate::row::Row;
 
 /// All rows.
 pub(crate) fn all() -> Vec<Row> {
-    [light::rows(), maps::rows(), frames::rows(), surface::rows(), lines::rows(), stripes::rows()]
-        .into_iter()
-        .flatten()
-        .collect()
+    let tables = [light::rows(), maps::rows(), patches::rows(), stripes::rows(), frames::rows(), surface::rows()];
+    tables.into_iter().flatten().chain(lines::rows()).collect()
 }
 
 /// A surface point: place and depth, normal, view, uv and face.

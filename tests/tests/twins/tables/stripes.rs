@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
-use tam_shaders::cpu::lib::barycentric::{corner_slopes, corner_weights};
+use tam_shaders::cpu::lib::barycentric::corner_slopes;
 use tam_shaders::cpu::lib::stripes::{
     crossed_darkness, doubled_ink, nearest_side, round_share, round_slope, side_weights, stripe_phase, stripe_slope,
     unfolded_corners, windings,
@@ -22,10 +22,7 @@ pub(crate) fn rows() -> Vec<Row> {
 
 fn phase_rows() -> Vec<Row> {
     vec![
-        // Dot products of numbers up to 1.5, and the rest to 1.
-        row("corner_weights", Pass::Stripes, "vec4f(corner_weights(u32(d.z), a.xyz), 0.0)", any_point)
-            .twin(|b, case| three(corner_weights(&b.mesh, case[3].z as usize, case[0].truncate())))
-            .within(32.0 * U, 0.0),
+        // Dot products of numbers up to 1.5.
         row("corner_slopes", Pass::Stripes, "vec4f(corner_slopes(u32(d.z), a.xyz), 0.0)", any_point)
             .twin(|b, case| three(corner_slopes(&b.mesh, case[3].z as usize, case[0].truncate())))
             .within(32.0 * U, 0.0),

@@ -1,0 +1,116 @@
+//! Rows of `lib/patches.wgsl`, and of what blends patches.
+
+use glam::{DVec3, DVec4};
+use tam_shaders::Pass;
+use tam_shaders::cpu::lib::barycentric::corner_weights;
+use tam_shaders::cpu::lib::blend::{lapped_ink, patches_ink, surface_ink};
+use tam_shaders::cpu::lib::patches::{patch_uv, patches_at, unpack_tens};
+use tam_shaders::cpu::{Blend, Form, Mapping, Options, Quad, fine_tone, six_way};
+
+use super::maps::SAMPLED;
+use super::{any_point, one, point, three, two};
+use crate::draw::{Case, Draw, OWN};
+use crate::row::{Row, U, row};
+use crate::setting::FACES;
+
+pub(crate) fn rows() -> Vec<Row> {
+    let with = |mapping, blend| Options { mapping, blend, ..Options::default() };
+    vec![
+        row("unpack_tens", Pass::FineTone, "vec4f(unpack_tens(u32(b.x) * 1024u + u32(b.y)), 0.0)", codes)
+            .twin(|_, case| three(unpack_tens(case[1].x as u32 * 1024 + case[1].y as u32)))
+            .within(2.0 * U, 0.0),
+        // Planes within 1, places within 1.5: sums of four products.
+        row("corner_weights", Pass::FineTone, "vec4f(corner_weights(u32(d.z), a.xyz), 0.0)", any_point)
+            .twin(|b, case| three(corner_weights(&b.mesh, case[3].z as usize, case[0].truncate())))
+            .within(64.0 * U, 0.0),
+        // Places within 4 tiles of codes that are exact, times weights within 1, through a matrix.
+        row("patch_uv", Pass::FineTone, "vec4f(patch_uv(patch_entries[u32(d.z)].places, b.xyz), 0.0, 0.0)", in_a_face)
+            .twin(|b, case| {
+                let places = b.patches.entries[case[3].z as usize].places;
+                two(patch_uv(b.material, places, case[1].truncate()))
+            })
+            .within(64.0 * U, 0.0),
+        // Differences of numbers up to 4, each a few round-offs.
+        row(
+            "patches_at",
+            Pass::FineTone,
+            "vec4f(patches_at(u32(d.z), b.xyz).weights[u32(d.w)], f32(patches_at(u32(d.z), b.xyz).first), \
+             f32(patches_at(u32(d.z), b.xyz).count), patches_at(u32(d.z), b.xyz).corners.x)",
+            in_a_face,
+        )
+        .twin(|b, case| {
+            let patches = patches_at(b.patches, case[3].z as usize, case[1].truncate());
+            DVec4::new(
+                patches.weights[case[3].w as usize],
+                patches.first as f64,
+                patches.count as f64,
+                patches.corners.x,
+            )
+        })
+        .within(64.0 * U, 0.0),
+        // Each pattern is one sample; weights sum to 1, and no union is more sensitive than its patterns together.
+        row("patches_ink", Pass::FineTone, "vec4f(patches_ink(u32(d.z), b.xyz, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
+            .twin(|b, case| {
+                let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+                one(patches_ink(b, case[3].z as usize, case[1].truncate(), case[2].z, case[0].w, &ink))
+            })
+            .in_options([with(Mapping::Patches, Blend::Union), with(Mapping::Patches, Blend::Linear)])
+            .within(4.0 * SAMPLED, 0.0),
+        row("lapped_ink", Pass::FineTone, "vec4f(lapped_ink(u32(d.z), b.xyz, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
+            .twin(|b, case| {
+                let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+                one(lapped_ink(b, case[3].z as usize, case[1].truncate(), case[2].z, case[0].w, &ink))
+            })
+            .in_options([with(Mapping::Lapped, Blend::Union)])
+            .within(2.0 * SAMPLED, 0.0),
+        // Planes are anything here, so places are far outside the faces: weights up to 3 stretch the errors.
+        row("surface_ink", Pass::FineTone, "vec4f(surface_ink(case_point(a, b, c, d), d.w), 0.0, 0.0, 0.0)", any_point)
+            .twin(|b, case| {
+                let points = Quad::from_fn(|_| point(case));
+                let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+                one(surface_ink(b, &points, 0, case[3].w, |_, _, _| f64::NAN, &ink))
+            })
+            .in_options([
+                with(Mapping::Patches, Blend::Linear),
+                with(Mapping::Lapped, Blend::Union),
+                Options { form: Form::Literal, ..with(Mapping::Lapped, Blend::Union) },
+            ])
+            .within(8.0 * SAMPLED, 0.0),
+        // A sum of six products.
+        row(
+            "weighted_tone",
+            Pass::SixWay,
+            "vec4f(weighted_tone(Weights(abs(b.xyz), abs(c.xyz))), 0.0, 0.0, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| {
+            let weights = six_way::Weights { light: case[1].truncate().abs(), dark: case[2].truncate().abs() };
+            one(six_way::weighted_tone(b.material, &weights))
+        })
+        .within(16.0 * U, 0.0),
+        row("pattern_ink", Pass::SixWay, "vec4f(pattern_ink(c.xy, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
+            .twin(|b, case| one(six_way::pattern_ink(b, super::xy(case[2]), case[2].z, case[0].w)))
+            .within(SAMPLED + 1e-4, 0.0),
+    ]
+}
+
+/// Two numbers of ten and more bits.
+fn codes(draw: &Draw) -> Case {
+    let codes = DVec4::new(draw.pick(OWN, 1 << 20) as f64, draw.pick(OWN + 1, 1024) as f64, 0.0, 0.0);
+    [DVec4::ZERO, codes, DVec4::ZERO, DVec4::ZERO]
+}
+
+/// A place in a face by its barycentric weights, a footprint, a tone, and one of the face's patches.
+fn in_a_face(draw: &Draw) -> Case {
+    let weights = DVec3::from([0, 1, 2].map(|i| draw.unit(OWN + i)));
+    let weights = weights / weights.element_sum().max(1e-3);
+    let weights = DVec3::from(weights.to_array().map(crate::draw::single));
+    let uv = draw.tile(OWN + 20, 2.0);
+    let face = draw.pick(OWN + 10, FACES) as f64;
+    [
+        DVec4::new(0.0, 0.0, 0.0, draw.tone(OWN + 30)),
+        weights.extend(0.0),
+        DVec4::new(uv.x, uv.y, draw.scale(OWN + 40, 2e-3, 1.0), 0.0),
+        DVec4::new(0.0, 0.0, face, draw.pick(OWN + 11, 8) as f64),
+    ]
+}
