@@ -138,10 +138,8 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let entries = patches.map_or(Vec::new(), Patches::packed);
     let patches = PatchTable { starts: patches.map_or(&[], |patches| &patches.starts), entries: &entries };
     let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
-    let stripes = stripes.map_or(StripeTable::default(), |stripes| StripeTable {
-        along: &stripes.along,
-        across: &stripes.across,
-    });
+    let stripes = stripes
+        .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });
     let (map, distribution) = (&drawn.map, &drawn.distribution);
     let draws = [Draw { triangles, material: &material, map, distribution, patches, stripes }];
     let how = How { pass: drawn.pass, options: options(params), samples: 1 };

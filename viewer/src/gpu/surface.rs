@@ -117,7 +117,8 @@ fn storage(gpu: &Gpu, label: &str, contents: &[u8]) -> wgpu::Buffer {
 fn group(gpu: &Gpu, layouts: &Layouts, starts: &[u8], entries: &[u8], stripes: &StripeBuffers) -> wgpu::BindGroup {
     let patches = [storage(gpu, "patch starts", starts), storage(gpu, "patch entries", entries)];
     let buffers = [(0, &patches[0]), (1, &patches[1]), (4, &stripes.along), (5, &stripes.across)];
-    let entries = buffers.map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() });
+    let entries =
+        buffers.map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() });
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("surface"),
         layout: &layouts.surface,

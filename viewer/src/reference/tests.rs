@@ -91,7 +91,14 @@ fn pencil() -> Map {
 
 fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<f64>]) -> f64 {
     let reference = Reference::new(&square());
-    let draws = [Draw { triangles: 0..2, material, map, distribution, patches: PatchTable::default(), stripes: StripeTable::default() }];
+    let draws = [Draw {
+        triangles: 0..2,
+        material,
+        map,
+        distribution,
+        patches: PatchTable::default(),
+        stripes: StripeTable::default(),
+    }];
     let how = How { pass, options: Options::default(), samples: 2 };
     let picture = reference.render(&scene(d), &draws, &how).unwrap();
     assert!(picture.coverage.iter().all(|share| *share == 1.0), "the square fills the picture");
@@ -151,8 +158,14 @@ fn phong_draws_the_darkness_itself_and_leaves_the_rest_uncovered() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draws =
-        [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], patches: PatchTable::default(), stripes: StripeTable::default() }];
+    let draws = [Draw {
+        triangles: 0..1,
+        material: &material,
+        map: &map,
+        distribution: &[],
+        patches: PatchTable::default(),
+        stripes: StripeTable::default(),
+    }];
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 4 };
     let picture = reference.render(&scene(0.3), &draws, &how).unwrap();
     // One triangle of the two; the diagonal belongs to it.
@@ -170,7 +183,14 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
     let draw = |triangles| {
-        [Draw { triangles, material: &material, map: &map, distribution: &[], patches: PatchTable::default(), stripes: StripeTable::default() }]
+        [Draw {
+            triangles,
+            material: &material,
+            map: &map,
+            distribution: &[],
+            patches: PatchTable::default(),
+            stripes: StripeTable::default(),
+        }]
     };
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 1 };
     let lines = How { pass: Pass::Lines, ..how };
@@ -187,7 +207,9 @@ fn square_of_stripes(lines: f32) -> [Vec<types::StripePhases>; 2] {
     let phases = |x: f32, y: f32| {
         let at = |corner: [f32; 2]| x * corner[0] + y * corner[1];
         let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(at);
-        [[0, 1, 2], [0, 2, 3]].map(|triangle| types::StripePhases::wound(triangle.map(|k: usize| corners[k]), 0)).to_vec()
+        [[0, 1, 2], [0, 2, 3]]
+            .map(|triangle| types::StripePhases::wound(triangle.map(|k: usize| corners[k]), 0))
+            .to_vec()
     };
     [phases(lines, lines / 3.0), phases(-lines / 3.0, lines)]
 }
@@ -197,20 +219,28 @@ fn stripes_draw_the_mean_ink_that_is_wanted_at_any_level() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let distribution: &[Vec<f64>] = &[];
-    // Lines 6 to 12 px apart, at five places between one doubling and the next; the last is too dense for pixels.
-    for lines in [1.5, 1.8, 2.1, 2.5, 2.9, 36.0, 90.0] {
+    let mut square_sum = 0.0;
+    let mut count = 0.0;
+    // Whole lines in both directions, so that the mean is that of a period. Five places between one doubling and the
+    // next; lines nearly too dense for pixels, and some that are.
+    for (lines, line_period_px) in
+        [(3.0, 6.0), (3.0, 7.0), (3.0, 8.2), (3.0, 9.4), (3.0, 10.6), (36.0, 2.0), (90.0, 6.0)]
+    {
         let [along, across] = square_of_stripes(lines);
         for (cross_from, d) in [(1.0, 0.1), (1.0, 0.37), (1.0, 0.5), (1.0, 0.8), (0.4, 0.55), (0.4, 0.9), (0.0, 0.3)] {
-            let material = types::Material { cross_from, ..material(&[1.0], 1, 1, 0) };
+            let material = types::Material { cross_from, line_period_px, ..material(&[1.0], 1, 1, 0) };
             let stripes = StripeTable { along: &along, across: &across };
             let patches = PatchTable::default();
             let draws = [Draw { triangles: 0..2, material: &material, map: &map, distribution, patches, stripes }];
-            let how = How { pass: Pass::Stripes, options: Options::default(), samples: 4 };
+            let how = How { pass: Pass::Stripes, options: Options::default(), samples: 2 };
             let picture = reference.render(&scene(d), &draws, &how).unwrap();
-            // In a window of whole lines of both fields: three periods to the right and three upwards close.
             let ink = picture.colours.iter().map(|colour| 1.0 - colour.x).sum::<f64>() / picture.colours.len() as f64;
-            // The square cuts lines off: half a line of a dozen at most, weighed by what is missing or too much.
-            assert!((ink - d).abs() < 0.02, "{ink} for {d} at {lines} lines, crossed from {cross_from}");
+            // Lines that cross are averaged by the pixel before they are multiplied.
+            assert!((ink - d).abs() < 0.01, "{ink} for {d} at {lines} lines {line_period_px} px, from {cross_from}");
+            square_sum += (ink - d) * (ink - d);
+            count += 1.0;
         }
     }
+    let rmse = f64::sqrt(square_sum / count);
+    assert!(rmse < 0.005, "{rmse}");
 }

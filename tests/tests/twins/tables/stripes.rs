@@ -58,9 +58,14 @@ fn phase_rows() -> Vec<Row> {
             .twin(|_, case| one(stripe_slope(&stripe(case), case[0].truncate(), case[1].truncate())))
             .except_where(|_, case| in_the_middle(case))
             .within(5e3 * U, 0.0),
-        row("place_in_face", Pass::Stripes, "vec4f(place_in_face(u32(d.z), a.xyz, b.xyz, c.xyz).weights, 0.0)", any_point)
-            .twin(|b, case| three(place(b, case).weights))
-            .within(32.0 * U, 0.0),
+        row(
+            "place_in_face",
+            Pass::Stripes,
+            "vec4f(place_in_face(u32(d.z), a.xyz, b.xyz, c.xyz).weights, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| three(place(b, case).weights))
+        .within(32.0 * U, 0.0),
         row("place_in_face", Pass::Stripes, "vec4f(place_in_face(u32(d.z), a.xyz, b.xyz, c.xyz).dx, 0.0)", any_point)
             .twin(|b, case| three(place(b, case).dx))
             .within(32.0 * U, 0.0),
@@ -81,14 +86,24 @@ fn ink_rows() -> Vec<Row> {
             .twin(|_, case| two(crossed_darkness(case[0].w, case[0].x)))
             .within(16.0 * U, 0.0),
         // A phase off by 500 round-offs, sharpened by ten and doubled up to 128 times.
-        row("stripes_ink", Pass::Stripes, "vec4f(stripes_ink(stripe(d), Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)", places)
-            .twin(|b, case| one(stripes_ink(b.material, &stripe(case), &at(case), case[0].w)))
-            .except_where(|_, case| in_the_middle(case))
-            .within(500.0 * 10.0 * 128.0 * U, 0.0),
-        row("crossed_ink", Pass::Stripes, "vec4f(crossed_ink(u32(d.x * 8.0) + 20u, Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)", places)
-            .twin(|b, case| one(crossed_ink(b, (case[3].x * 8.0) as u32 as usize + 20, &at(case), case[0].w)))
-            .except_where(|_, case| in_the_middle(case))
-            .within(2.0 * 500.0 * 10.0 * 128.0 * U, 0.0),
+        row(
+            "stripes_ink",
+            Pass::Stripes,
+            "vec4f(stripes_ink(stripe(d), Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)",
+            places,
+        )
+        .twin(|b, case| one(stripes_ink(b.material, &stripe(case), &at(case), case[0].w)))
+        .except_where(|_, case| in_the_middle(case))
+        .within(500.0 * 10.0 * 128.0 * U, 0.0),
+        row(
+            "crossed_ink",
+            Pass::Stripes,
+            "vec4f(crossed_ink(u32(d.x * 8.0) + 20u, Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)",
+            places,
+        )
+        .twin(|b, case| one(crossed_ink(b, (case[3].x * 8.0) as u32 as usize + 20, &at(case), case[0].w)))
+        .except_where(|_, case| in_the_middle(case))
+        .within(2.0 * 500.0 * 10.0 * 128.0 * U, 0.0),
     ]
 }
 

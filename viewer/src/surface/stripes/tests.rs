@@ -69,7 +69,6 @@ fn seen(graph: &Graph, field: &Field, across: bool, stripes: &[StripePhases]) ->
     seen
 }
 
-
 const FOUR: StripeOptions = StripeOptions { lines_per_unit: 4.0, across: true };
 
 fn striped(mesh: &Mesh, options: &FieldOptions) -> (Graph, Field, Stripes) {
@@ -225,7 +224,11 @@ fn soups_needles_and_single_triangles_have_stripes() {
             assert!(lines.iter().all(|phases| phases.corners.iter().all(|phase| phase.abs() < 1e3)));
         }
     }
-    let nothing = Graph::new(&Mesh { triangles: Vec::new(), normal_groups: Vec::new(), ..sheet(1, 1, |u, v| DVec3::new(u, v, 0.0)) });
+    let nothing = Graph::new(&Mesh {
+        triangles: Vec::new(),
+        normal_groups: Vec::new(),
+        ..sheet(1, 1, |u, v| DVec3::new(u, v, 0.0))
+    });
     let field = Field { angles_rad: Vec::new(), strengths: Vec::new() };
     assert_eq!(stripes(&nothing, &field, &FOUR), Ok(Stripes::default()));
 }
@@ -240,31 +243,4 @@ fn lines_too_many_or_too_few_are_refused() {
     }
     let one = StripeOptions { across: false, ..FOUR };
     assert!(stripes(&graph, &field, &one).expect("stripes").across.is_empty());
-}
-
-#[test]
-#[ignore = "prints figures"]
-fn figures_of_samples() {
-    let cpu = || {
-        let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-        text.split(' ').next().and_then(|ns| ns.parse::<f64>().ok()).unwrap_or_default() / 1e9
-    };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("threads");
-    for sample in [Sample::Hand, Sample::Head, Sample::TorusKnot, Sample::Teapot] {
-        for triangles in [5_000, 20_000, 100_000, 200_000] {
-            pool.install(|| {
-            let mesh = prepare(sample.build(triangles)).expect("a sample").mesh;
-            let start = cpu();
-            let (graph, field) = field_of(&mesh, &FieldOptions::default());
-            let field_s = cpu() - start;
-            let start = cpu();
-            let stripes = stripes(&graph, &field, &FOUR).expect("stripes");
-            let stripes_s = (cpu() - start) / 2.0;
-            for (across, lines) in [(false, &stripes.along), (true, &stripes.across)] {
-                let seen = seen(&graph, &field, across, lines);
-                eprintln!("{:10} {:7} field {field_s:.2} s, stripes {stripes_s:.2} s: {seen:.3?}", sample.name(), mesh.triangles.len());
-            }
-            });
-        }
-    }
 }
