@@ -19,13 +19,15 @@ pub enum Pass {
     StrokeMap,
     /// Webb's many columns.
     FineTone,
+    /// Lines along a field over the whole surface.
+    Stripes,
     /// Contours, borders and creases.
     Lines,
 }
 
 impl Pass {
     /// All passes.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::FaceGeometry,
         Self::FaceFrames,
         Self::Phong,
@@ -34,6 +36,7 @@ impl Pass {
         Self::FaceFrameVertex,
         Self::StrokeMap,
         Self::FineTone,
+        Self::Stripes,
         Self::Lines,
     ];
 
@@ -48,6 +51,7 @@ impl Pass {
             Self::FaceFrameVertex => "face_frame_vertex",
             Self::StrokeMap => "stroke_map",
             Self::FineTone => "fine_tone",
+            Self::Stripes => "stripes",
             Self::Lines => "lines",
         }
     }
@@ -62,6 +66,7 @@ impl Pass {
             Self::FaceFrameVertex => include_str!("../wgsl/face_frame_vertex.wgsl"),
             Self::StrokeMap => include_str!("../wgsl/stroke_map.wgsl"),
             Self::FineTone => include_str!("../wgsl/fine_tone.wgsl"),
+            Self::Stripes => include_str!("../wgsl/stripes.wgsl"),
             Self::Lines => include_str!("../wgsl/lines.wgsl"),
         }
     }
@@ -76,6 +81,7 @@ macro_rules! pieces {
 
 pieces!(
     "adjacency",
+    "barycentric",
     "blend",
     "columns",
     "corners",
@@ -90,6 +96,7 @@ pieces!(
     "octahedral",
     "patches",
     "scene",
+    "stripes",
     "surface",
     "threshold",
 );

@@ -125,8 +125,8 @@ pub struct Material {
     pub line_period_px: f32,
     /// Entries in a row of the distribution table, or 0.
     pub distribution_entries: f32,
-    /// Fills the record.
-    pub _pad: f32,
+    /// Darkness above which stripes are crossed by others; 1: never.
+    pub cross_from: f32,
     /// Tone of white (0) and of each column, increasing.
     pub tones: [[f32; 4]; 17],
 }
@@ -167,6 +167,31 @@ pub struct Edge {
     pub left: u32,
     /// Face on the other, or [`NO_FACE`].
     pub right: u32,
+}
+
+/// `StripePhases` of `lib/stripes.wgsl`: the stripes of one line field in one triangle. The phase counts lines: it is
+/// whole in the middle of each.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct StripePhases {
+    /// Of the corners, in lines.
+    pub corners: [f32; 3],
+    /// Low bit: 0 where the phase winds around the middle of the triangle, 1 where the field is singular and the phase
+    /// folds there. Above: how often it winds (0 nearly everywhere: it is linear), or the sum of corner 0's phase and
+    /// the same after a way round.
+    pub code: i32,
+}
+
+impl StripePhases {
+    /// A phase that grows by `turns` on the way round, beside what the corners say; 0: it is linear.
+    pub fn wound(corners: [f32; 3], turns: i32) -> Self {
+        Self { corners, code: turns << 1 }
+    }
+
+    /// A phase that comes back from the way round as `sum - corners[0]`.
+    pub fn folded(corners: [f32; 3], sum: i32) -> Self {
+        Self { corners, code: sum << 1 | 1 }
+    }
 }
 
 /// `PatchEntry` of `lib/patches.wgsl`.

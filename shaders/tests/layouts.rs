@@ -7,7 +7,8 @@ use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
 use tam_shaders::cpu::lib::{face_frame, patches, scene, threshold};
 use tam_shaders::cpu::{Blend, Form, Frames, Mapping, PatternKind, face_geometry, lines};
 use tam_shaders::types::{
-    Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, Vertex,
+    Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
+    Vertex,
 };
 use tam_shaders::{Capabilities, Pass, compose};
 
@@ -85,9 +86,10 @@ fn records() -> Vec<Record> {
             slope,
             line_period_px,
             distribution_entries,
-            _pad,
+            cross_from,
             tones,
         }),
+        record!(StripePhases { corners, code }),
         record!(LineStyle { colour, width_px, crease_cosine, contours, borders, creases, _pad_a, _pad_b, _pad_c }),
         record!(Edge { a, b, left, right }),
         record!(PatchEntry { places, shares }),

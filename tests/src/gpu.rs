@@ -5,8 +5,8 @@ use tam_gen::{Job, Preset};
 use tam_viewer::gpu::{Gpu, GpuMap, GpuOptions, PixelFormat};
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::{Mesh, Placement, RawMesh, prepare};
-use tam_viewer::surface::{PatchOptions, Surface, SurfaceOptions};
-use tam_viewer::{Camera, Light, Lights, Mapping, RenderParams, Renderer, Scene};
+use tam_viewer::surface::{PatchOptions, StripeOptions, Surface, SurfaceOptions};
+use tam_viewer::{Camera, Light, Lights, Mapping, Method, RenderParams, Renderer, Scene};
 
 /// The adapter that tests run on where nothing else is asked for.
 const SOFTWARE: &str = "llvmpipe";
@@ -79,9 +79,14 @@ impl Stage {
 /// If there is no field.
 pub fn surface_for(params: &RenderParams, mesh: &Mesh) -> Option<Surface> {
     let patches = PatchOptions { tiles_per_unit: params.tiles_per_unit, ..PatchOptions::default() };
-    let options = SurfaceOptions { patches: Some(patches), ..SurfaceOptions::default() };
-    let takes = params.method.takes_mapping() && params.mapping.takes_surface();
-    takes.then(|| Surface::new(mesh, &options).expect("a field"))
+    let patched = params.method.takes_mapping() && params.mapping.takes_surface();
+    let striped = params.method == Method::Stripes;
+    let options = SurfaceOptions {
+        patches: patched.then_some(patches),
+        stripes: striped.then(StripeOptions::default),
+        ..SurfaceOptions::default()
+    };
+    (patched || striped).then(|| Surface::new(mesh, &options).expect("a field"))
 }
 
 /// The mappings that a mesh can be drawn with.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use tam_shaders::cpu::lib::patches::PatchTable;
-use tam_shaders::cpu::{self, MapImage, Options};
+use tam_shaders::cpu::{self, MapImage, Options, StripeTable};
 use tam_shaders::{Pass, types};
 use tam_tests::gpu::{Stage, front_camera, light_from, mappings, surface_for};
 use tam_viewer::gpu::GpuMap;
@@ -35,6 +35,7 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
         Method::FaceFrame if params.face_frame == FaceFrameForm::Fetched => columns(Pass::FaceFrame),
         Method::FaceFrame => columns(Pass::FaceFrameVertex),
         Method::Halftone => columns(Pass::StrokeMap),
+        Method::Stripes => columns(Pass::Stripes),
         Method::SixWay => {
             let six = source.six_columns();
             let tones = six.iter().map(|column| source.grid.tones[*column]).collect();
@@ -109,7 +110,7 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         slope: params.slope as f32,
         line_period_px: params.line_period_px as f32,
         distribution_entries: drawn.distribution.first().map_or(0, Vec::len) as f32,
-        _pad: 0.0,
+        cross_from: params.cross_from.unwrap_or(1.0) as f32,
         tones,
     }
 }
@@ -136,7 +137,11 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let patches = surface.as_ref().and_then(|surface| surface.patches.as_ref());
     let entries = patches.map_or(Vec::new(), Patches::packed);
     let patches = PatchTable { starts: patches.map_or(&[], |patches| &patches.starts), entries: &entries };
-    let draws = [Draw { triangles, material: &material, map: &drawn.map, distribution: &drawn.distribution, patches }];
+    let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
+    let stripes = stripes
+        .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });
+    let (map, distribution) = (&drawn.map, &drawn.distribution);
+    let draws = [Draw { triangles, material: &material, map, distribution, patches, stripes }];
     let how = How { pass: drawn.pass, options: options(params), samples: 1 };
     let twin = Reference::new(mesh).render(&shared, &draws, &how).expect("the reference draws");
 
@@ -202,7 +207,7 @@ fn ways(mesh: &Mesh) -> Vec<RenderParams> {
         for form in [Form::Hardened, Form::Literal] {
             let base = RenderParams { method, form, silhouettes: None, ..RenderParams::default() };
             match method {
-                Method::Phong => ways.push(base),
+                Method::Phong | Method::Stripes => ways.push(base),
                 Method::FaceFrame => {
                     ways.push(base);
                     ways.push(RenderParams { face_frame: FaceFrameForm::Vertex, ..base });

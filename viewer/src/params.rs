@@ -16,12 +16,14 @@ pub enum Method {
     Halftone,
     /// Webb 2002: many columns, smooth tone.
     FineTone,
+    /// Engraving, on Knöppel 2015: one line field over the whole surface.
+    Stripes,
 }
 
 impl Method {
     /// All methods, the yardstick first.
-    pub const ALL: [Self; 6] =
-        [Self::Phong, Self::SixWay, Self::FaceFrame, Self::StrokeMap, Self::Halftone, Self::FineTone];
+    pub const ALL: [Self; 7] =
+        [Self::Phong, Self::SixWay, Self::FaceFrame, Self::StrokeMap, Self::Halftone, Self::FineTone, Self::Stripes];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -32,6 +34,7 @@ impl Method {
             Self::StrokeMap => "stroke-map",
             Self::Halftone => "halftone",
             Self::FineTone => "fine-tone",
+            Self::Stripes => "stripes",
         }
     }
 
@@ -40,9 +43,9 @@ impl Method {
         Self::ALL.into_iter().find(|method| method.name() == name)
     }
 
-    /// Whether its strokes lie by a [`Mapping`]; `phong` has none and `face-frame` brings its own.
+    /// Whether its strokes lie by a [`Mapping`]; `phong` has none, `face-frame` and `stripes` bring their own.
     pub fn takes_mapping(self) -> bool {
-        !matches!(self, Self::Phong | Self::FaceFrame)
+        !matches!(self, Self::Phong | Self::FaceFrame | Self::Stripes)
     }
 }
 
@@ -165,8 +168,10 @@ pub struct RenderParams {
     pub level_bias: f64,
     /// Slope of the literal one-sided threshold, > 1 (Freudenberg's c).
     pub slope: f64,
-    /// Least distance of halftone lines on the screen, in pixels, 2..=256.
+    /// Least distance of halftone lines and stripes on the screen, in pixels, 2..=256.
     pub line_period_px: f64,
+    /// Darkness above which stripes are crossed by others, 0..=1; `None`: never.
+    pub cross_from: Option<f64>,
     /// Lines over the strokes.
     pub silhouettes: Option<Silhouettes>,
 }
@@ -183,6 +188,7 @@ impl Default for RenderParams {
             level_bias: 0.0,
             slope: 6.0,
             line_period_px: 6.0,
+            cross_from: Some(0.55),
             silhouettes: Some(Silhouettes::default()),
         }
     }

@@ -55,6 +55,8 @@ pub const SHININESS: Range = Range::new(1.0, 1000.0, "");
 pub const TILES_PER_UNIT: Range = Range::new(0.01, 100.0, "tiles per unit");
 /// Scale of strokes, and of the mesh along an axis.
 pub const SCALE: Range = Range::new(0.01, 100.0, "");
+/// Stripes per unit at their coarsest.
+pub const LINES_PER_UNIT: Range = Range::new(0.25, 64.0, "lines per unit");
 /// How far directions spread.
 pub const SMOOTHING: Range = Range::new(0.1, 10.0, "");
 /// Shift of the tile.
@@ -63,7 +65,7 @@ pub const SHIFT: Range = Range::new(-1000.0, 1000.0, "tiles");
 pub const LEVEL_BIAS: Range = Range::new(-4.0, 4.0, "levels");
 /// Slope of the literal threshold.
 pub const SLOPE: Range = Range::new(1.01, 1000.0, "");
-/// Least distance of halftone lines.
+/// Least distance of halftone lines and stripes.
 pub const LINE_PERIOD_PX: Range = Range::new(2.0, 256.0, "px");
 /// Width of contours, borders and creases.
 pub const LINE_WIDTH_PX: Range = Range::new(0.25, 64.0, "px");

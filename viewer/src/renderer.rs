@@ -109,7 +109,7 @@ impl Renderer {
         Ok(gpu_mesh)
     }
 
-    /// Gives a mesh its surface, which mappings by patches draw with. It replaces the one before.
+    /// Gives a mesh its surface, which mappings by patches and stripes draw with. It replaces the one before.
     ///
     /// # Errors
     /// [`GpuError::TooLarge`] if it exceeds what the adapter binds.
@@ -153,6 +153,9 @@ impl Renderer {
         let mapped = params.method.takes_mapping();
         if mapped && params.mapping.takes_surface() && mesh.surface.tiles_per_unit(params.mapping).is_none() {
             return Err(RenderError::NoSurface(params.mapping.name()));
+        }
+        if params.method == Method::Stripes && !mesh.surface.has_stripes() {
+            return Err(RenderError::NoSurface(params.method.name()));
         }
         let variant = variant(params);
         let shared = scene.shared(size_px, mesh.radius());
@@ -233,7 +236,7 @@ fn material_of(
         slope: params.slope as f32,
         line_period_px: params.line_period_px as f32,
         distribution_entries: if kind == MapKind::Strokes { map.distribution_entries as f32 } else { 0.0 },
-        _pad: 0.0,
+        cross_from: params.cross_from.filter(|_| mesh.surface.has_crossing_stripes()).unwrap_or(1.0) as f32,
         tones,
     }
 }

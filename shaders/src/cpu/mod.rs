@@ -19,6 +19,7 @@ pub mod options;
 pub mod phong;
 pub mod quad;
 pub mod six_way;
+pub mod stripes;
 pub mod stroke_map;
 
 pub use image::{MapImage, MapLevel};
@@ -26,6 +27,7 @@ pub use lib::octahedral;
 pub use options::{Blend, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
+use crate::types::StripePhases;
 use lib::{material::Material, mesh::Mesh, patches::PatchTable, scene::Scene};
 
 /// All that a drawing pass is bound to.
@@ -44,6 +46,17 @@ pub struct Bindings<'a> {
     /// Group 2, binding 3: rows of the distribution table, one per half level; may be empty where the material's
     /// `distribution_entries` is 0.
     pub distribution: &'a [Vec<f64>],
-    /// Group 3; empty where the mapping is of another kind.
+    /// Group 3, bindings 0 and 1; empty where the mapping is of another kind.
     pub patches: PatchTable<'a>,
+    /// Group 3, bindings 4 and 5; empty where the pass draws no stripes.
+    pub stripes: StripeTable<'a>,
+}
+
+/// Phases of the line fields, one per face.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StripeTable<'a> {
+    /// Lines along the direction field.
+    pub along: &'a [StripePhases],
+    /// Lines across it.
+    pub across: &'a [StripePhases],
 }

@@ -27,7 +27,8 @@ struct Material {
     line_period_px: f32,
     // Entries of a row of the distribution table; 0: there is none.
     distribution_entries: f32,
-    _pad: f32,
+    // Darkness above which stripes are crossed by others; 1: never.
+    cross_from: f32,
     // Tones of the columns behind the implicit white, four to a vector, increasing.
     tones: array<vec4f, 17>,
 }

@@ -3,6 +3,7 @@
 // in the order of painting, each with its alpha.
 //!include lib/form.wgsl
 //!include lib/mapping.wgsl
+//!include lib/barycentric.wgsl
 
 struct PatchEntry {
     // Place of each corner on the tile, two 16-bit snorm, in units of PLACE_RANGE tiles.
@@ -29,12 +30,6 @@ struct Patches {
     corners: vec3f,
     // Sum to 1.
     weights: array<f32, 8>,
-}
-
-fn corner_weights(face: u32, p: vec3f) -> vec3f {
-    let first = dot(face_planes[2u * face].xyz, p) + face_planes[2u * face].w;
-    let second = dot(face_planes[2u * face + 1u].xyz, p) + face_planes[2u * face + 1u].w;
-    return vec3f(first, second, 1.0 - first - second);
 }
 
 fn unpack_tens(code: u32) -> vec3f {

@@ -144,6 +144,7 @@ impl Row {
         let call = self.call;
         let with = |name: &str, helper: &'static str| if pass.contains(name) { helper } else { "" };
         let helper = format!("{}{}", with("struct Point {", POINT), with("struct Pattern {", PATTERN));
+        let helper = helper + with("struct StripePhases {", STRIPE);
         format!(
             "{pass}{HARNESS}{helper}@fragment\nfn harness(@builtin(position) place: vec4f) -> @location(0) vec4f {{\n\
             let at = u32(place.y) * {SIDE}u + u32(place.x);\n\
@@ -166,6 +167,13 @@ fn harness_vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
 const POINT: &str = "
 fn case_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
     return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, u32(d.z));
+}
+";
+
+/// Phases of a case.
+const STRIPE: &str = "
+fn stripe(d: vec4f) -> StripePhases {
+    return StripePhases(d.xyz, i32(d.w));
 }
 ";
 

@@ -7,7 +7,7 @@ use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
 use tam_shaders::cpu::lib::patches::{PatchTable, pack_place, pack_tens};
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lines::LineStyle;
-use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options};
+use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
 use tam_shaders::types::{self, Edge, NO_FACE};
 use wgpu::util::DeviceExt;
 
@@ -35,6 +35,8 @@ pub(crate) struct Setting {
     pub(crate) face_normals: Vec<[f32; 4]>,
     pub(crate) face_planes: Vec<[f32; 4]>,
     pub(crate) face_frames: Vec<types::FaceFrame>,
+    /// Along and across.
+    pub(crate) stripes: [Vec<types::StripePhases>; 2],
     pub(crate) patch_starts: Vec<u32>,
     pub(crate) patch_entries: Vec<types::PatchEntry>,
     pub(crate) map: MapImage,
@@ -121,6 +123,10 @@ impl Setting {
             let draw = draw(i + FACES);
             draw.place_within(1036, 1.0).extend(draw.between(1039, -0.5, 1.0)).as_vec4().into()
         };
+        let stripe = |i: usize| {
+            let corners = [1070, 1071, 1072].map(|slot| draw(i).between(slot, -2.0, 2.0) as f32);
+            types::StripePhases { corners, code: draw(i).pick(1073, 11) as i32 - 5 }
+        };
         let edge = |i: usize| Edge {
             a: draw(i).pick(1050, VERTICES) as u32,
             b: if i == 0 { draw(0).pick(1050, VERTICES) } else { draw(i).pick(1051, VERTICES) } as u32,
@@ -160,6 +166,7 @@ impl Setting {
             face_normals,
             face_planes,
             face_frames,
+            stripes: [0, FACES].map(|first| (first..first + FACES).map(stripe).collect()),
             patch_starts,
             patch_entries,
             map,
@@ -185,6 +192,7 @@ impl Setting {
             material: &self.twin.material,
             map: &self.map,
             distribution: &self.twin.distribution,
+            stripes: StripeTable { along: &self.stripes[0], across: &self.stripes[1] },
             patches: PatchTable { starts: &self.patch_starts, entries: &self.patch_entries },
         }
     }
@@ -261,7 +269,7 @@ fn material(tones: &[f32]) -> types::Material {
         slope: 4.0,
         line_period_px: 5.0,
         distribution_entries: 9.0,
-        _pad: 0.0,
+        cross_from: 0.4,
         tones: all,
     }
 }
@@ -317,6 +325,8 @@ impl Uploaded {
             ("face_normals", buffer(bytemuck::cast_slice(&setting.face_normals), storage)),
             ("face_planes", buffer(bytemuck::cast_slice(&setting.face_planes), storage)),
             ("face_frames", buffer(bytemuck::cast_slice(&setting.face_frames), storage)),
+            ("stripes_along", buffer(bytemuck::cast_slice(&setting.stripes[0]), storage)),
+            ("stripes_across", buffer(bytemuck::cast_slice(&setting.stripes[1]), storage)),
             // As the vertices of an index buffer that is the list of vertices.
             ("provoking", buffer(bytemuck::cast_slice(&(0..VERTICES as u32).collect::<Vec<_>>()), storage)),
             ("patch_starts", buffer(bytemuck::cast_slice(&setting.patch_starts), storage)),

@@ -4,7 +4,7 @@ use tam_gen::command::Failure;
 use tam_viewer::RenderError;
 use tam_viewer::gpu::{GpuError, MapError};
 use tam_viewer::mesh::MeshError;
-use tam_viewer::surface::SolveError;
+use tam_viewer::surface::SurfaceError;
 use tam_viewer::surface::guides::GuideError;
 use tam_viewer::turntable::WriteError;
 
@@ -61,7 +61,7 @@ pub(super) fn guides(path: &std::path::Path, error: &GuideError) -> Failure {
     }
 }
 
-pub(super) fn solve(error: SolveError) -> Failure {
+pub(super) fn surface(error: SurfaceError) -> Failure {
     work("surface", &error, "a smaller mesh needs less memory; --mapping triplanar needs no field")
 }
 

@@ -6,8 +6,10 @@ use clap::Args;
 use glam::DVec3;
 use tam_gen::command::{Failure, Output};
 use tam_viewer::mesh::Mesh;
-use tam_viewer::surface::{FieldOptions, FieldSource, Guide, PatchOptions, Surface, SurfaceOptions, guides};
-use tam_viewer::{LightKind, Mapping, Scene, ranges};
+use tam_viewer::surface::{
+    FieldOptions, FieldSource, Guide, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
+};
+use tam_viewer::{LightKind, Mapping, Method, Scene, ranges};
 
 use super::{parse, report};
 
@@ -21,6 +23,9 @@ pub(super) struct SurfaceArgs {
     /// How far directions spread into places without one, as a multiple of the default
     #[arg(long, value_name = "FACTOR", value_parser = parse::in_range(ranges::SMOOTHING), default_value = "1", allow_hyphen_values = true, help_heading = "How it is hatched")]
     smoothing: f64,
+    /// Stripes per unit at their coarsest, before any is doubled
+    #[arg(long, value_name = "N", value_parser = parse::in_range(ranges::LINES_PER_UNIT), allow_hyphen_values = true, help_heading = "How it is hatched")]
+    stripes: Option<f64>,
 }
 
 /// What `--field` names.
@@ -80,26 +85,34 @@ impl SurfaceArgs {
         Ok(FieldOptions { source, smoothing: self.smoothing, guides })
     }
 
-    /// The surface for some mappings, and the mesh that it belongs to, cut where it is too coarse; `None` where no
-    /// mapping needs one.
+    /// The surface for some methods and mappings, and the mesh that it belongs to, cut where it is too coarse; `None`
+    /// where none needs one.
     pub(super) fn build(
         &self,
         mesh: &Mesh,
         scene: &Scene,
+        methods: &[Method],
         mappings: &[Mapping],
         tiles_per_unit: f64,
         output: &Output,
     ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        if !mappings.iter().any(|mapping| mapping.takes_surface()) {
+        let patches = mappings
+            .iter()
+            .any(|mapping| mapping.takes_surface())
+            .then(|| PatchOptions { tiles_per_unit, ..PatchOptions::default() });
+        let default = StripeOptions::default();
+        let stripes = methods
+            .contains(&Method::Stripes)
+            .then(|| StripeOptions { lines_per_unit: self.stripes.unwrap_or(default.lines_per_unit), ..default });
+        if patches.is_none() && stripes.is_none() {
             return Ok(None);
         }
-        let patches = PatchOptions { tiles_per_unit, ..PatchOptions::default() };
-        let fine = mesh.subdivided(patches.longest_edge() as f32);
+        let fine = patches.map_or_else(|| mesh.clone(), |patches| mesh.subdivided(patches.longest_edge() as f32));
         if fine.triangles.len() > mesh.triangles.len() && !output.json {
             output.remark(&format!("note: cut into {} triangles, so that patches bend", fine.triangles.len()));
         }
-        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches: Some(patches) };
-        let surface = Surface::new(&fine, &options).map_err(report::solve)?;
+        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches, stripes };
+        let surface = Surface::new(&fine, &options).map_err(report::surface)?;
         Ok(Some((fine, surface)))
     }
 }

@@ -70,9 +70,12 @@ pub(super) struct ViewArgs {
     /// Slope of the literal threshold of stroke-map and halftone
     #[arg(long, value_name = "C", value_parser = parse::in_range(ranges::SLOPE), allow_hyphen_values = true, help_heading = "How it is hatched")]
     slope: Option<f64>,
-    /// Least distance of halftone lines
+    /// Least distance of halftone lines and stripes
     #[arg(long, value_name = "PX", value_parser = parse::in_range(ranges::LINE_PERIOD_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     line_period: Option<f64>,
+    /// Darkness above which stripes are crossed by others, or none [default: 0.55]
+    #[arg(long, value_name = "DARKNESS|none", value_parser = parse::or_none(ranges::SHARE), allow_hyphen_values = true, help_heading = "How it is hatched")]
+    cross: Option<OrNone>,
     /// Width of contours, borders and creases, or none [default: 2 in a picture of 1024 px]
     #[arg(long, value_name = "PX|none", value_parser = parse::or_none(ranges::LINE_WIDTH_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     lines: Option<OrNone>,
@@ -213,6 +216,7 @@ impl ViewArgs {
             level_bias: self.level_bias.unwrap_or(default.level_bias),
             slope: self.slope.unwrap_or(default.slope),
             line_period_px: self.line_period.unwrap_or(default.line_period_px),
+            cross_from: self.cross.map_or(default.cross_from, |cross| cross.0),
             silhouettes: width_px.map(|width_px| Silhouettes { width_px, crease_deg, ..lines }),
             ..default
         }

@@ -59,7 +59,10 @@ impl Layouts {
                 "material",
                 &[uniform(0, BOTH, true), texture(1, maps, true), sampler, texture(3, tables, false)],
             ),
-            surface: layout("surface", &[storage(0, FRAGMENT), storage(1, FRAGMENT)]),
+            surface: layout(
+                "surface",
+                &[storage(0, FRAGMENT), storage(1, FRAGMENT), storage(4, FRAGMENT), storage(5, FRAGMENT)],
+            ),
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),
             face_frames: layout("face_frames", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(5)]),
             lines: layout("lines", &[uniform(0, BOTH, false), storage(1, VERTEX)]),

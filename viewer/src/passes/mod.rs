@@ -7,6 +7,7 @@ mod lines;
 mod phong;
 mod shading;
 mod six_way;
+mod stripes;
 mod stroke_map;
 
 pub(crate) use faces::Faces;

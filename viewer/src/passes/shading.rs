@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use tam_shaders::{Pass, compose};
 
-use super::{face_frame, fine_tone, phong, six_way, stroke_map};
+use super::{face_frame, fine_tone, phong, six_way, stripes, stroke_map};
 use crate::gpu::{DEPTH_FORMAT, Gpu, GpuMesh, Layouts, MapKind, PixelFormat};
 use crate::params::{Blend, Form, Mapping, Method, RenderParams};
 
@@ -64,6 +64,7 @@ pub(crate) fn variant(params: &RenderParams) -> Variant {
         Method::StrokeMap => stroke_map::strokes(params),
         Method::Halftone => stroke_map::lines(params),
         Method::FineTone => fine_tone::variant(params),
+        Method::Stripes => stripes::variant(params),
     }
 }
 

@@ -23,7 +23,7 @@ use tam_shaders::cpu::lib::mesh::Mesh as MeshView;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
 use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::lib::scene::Scene;
-use tam_shaders::cpu::{Bindings, MapImage, Options, face_frames, face_geometry, octahedral};
+use tam_shaders::cpu::{Bindings, MapImage, Options, StripeTable, face_frames, face_geometry, octahedral};
 use tam_shaders::{Pass, types};
 
 use crate::mesh::Mesh;
@@ -75,6 +75,8 @@ pub struct Draw<'a> {
     pub map: &'a MapImage,
     /// Rows of the distribution table, for stroke maps.
     pub distribution: &'a [Vec<f64>],
+    /// Phases of the whole mesh, for the pass that draws stripes.
+    pub stripes: StripeTable<'a>,
     /// Patches of the whole mesh, for the mappings that draw with them.
     pub patches: PatchTable<'a>,
 }
@@ -141,6 +143,7 @@ impl Reference {
                 material,
                 map: draw.map,
                 distribution: draw.distribution,
+                stripes: draw.stripes,
                 patches: draw.patches,
             })
             .collect();

@@ -5,7 +5,7 @@ use tam_shaders::Pass;
 use tam_shaders::cpu::face_frame_vertex::HatchOut;
 use tam_shaders::cpu::lib::surface::{FragmentIn, surface_vertex};
 use tam_shaders::cpu::six_way::Weights;
-use tam_shaders::cpu::{Bindings, Quad, face_frame, face_frame_vertex, fine_tone, phong, six_way, stroke_map};
+use tam_shaders::cpu::{Bindings, Quad, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map};
 
 use super::ReferenceError;
 
@@ -18,6 +18,7 @@ pub(super) enum Shader {
     FaceFrameVertex,
     StrokeMap,
     FineTone,
+    Stripes,
 }
 
 /// What a vertex hands on; each pass fills what it has.
@@ -40,6 +41,7 @@ impl Shader {
             Pass::FaceFrameVertex => Ok(Self::FaceFrameVertex),
             Pass::StrokeMap => Ok(Self::StrokeMap),
             Pass::FineTone => Ok(Self::FineTone),
+            Pass::Stripes => Ok(Self::Stripes),
             Pass::FaceGeometry | Pass::FaceFrames | Pass::Lines => Err(ReferenceError::NoSurface(pass)),
         }
     }
@@ -81,6 +83,7 @@ impl Shader {
             Self::Phong => phong::fragment(b, &quad[lane], front),
             Self::FineTone => fine_tone::fragment(b, &quad, lane, front),
             Self::StrokeMap => stroke_map::fragment(b, &quad, lane, front),
+            Self::Stripes => stripes::fragment(b, &quad, lane, front),
             Self::FaceFrame => face_frame::fragment(b, &quad[lane], front),
             Self::SixWay => {
                 let six = Weights {

@@ -4,7 +4,7 @@
 use glam::{DMat4, DVec2, DVec3, Vec2, Vec3};
 use tam_gen::{Job, Map, Preset, generate};
 use tam_shaders::cpu::lib::patches::PatchTable;
-use tam_shaders::cpu::{MapImage, Options};
+use tam_shaders::cpu::{MapImage, Options, StripeTable};
 use tam_shaders::{Pass, types};
 
 use super::{Draw, How, Reference, ReferenceError, column_pairs, thresholds};
@@ -78,7 +78,7 @@ fn material(tones: &[f64], size: u32, levels: usize, distribution_entries: usize
         slope: 6.0,
         line_period_px: 6.0,
         distribution_entries: distribution_entries as f32,
-        _pad: 0.0,
+        cross_from: 1.0,
         tones: all,
     }
 }
@@ -91,7 +91,14 @@ fn pencil() -> Map {
 
 fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<f64>]) -> f64 {
     let reference = Reference::new(&square());
-    let draws = [Draw { triangles: 0..2, material, map, distribution, patches: PatchTable::default() }];
+    let draws = [Draw {
+        triangles: 0..2,
+        material,
+        map,
+        distribution,
+        patches: PatchTable::default(),
+        stripes: StripeTable::default(),
+    }];
     let how = How { pass, options: Options::default(), samples: 2 };
     let picture = reference.render(&scene(d), &draws, &how).unwrap();
     assert!(picture.coverage.iter().all(|share| *share == 1.0), "the square fills the picture");
@@ -151,8 +158,14 @@ fn phong_draws_the_darkness_itself_and_leaves_the_rest_uncovered() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draws =
-        [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], patches: PatchTable::default() }];
+    let draws = [Draw {
+        triangles: 0..1,
+        material: &material,
+        map: &map,
+        distribution: &[],
+        patches: PatchTable::default(),
+        stripes: StripeTable::default(),
+    }];
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 4 };
     let picture = reference.render(&scene(0.3), &draws, &how).unwrap();
     // One triangle of the two; the diagonal belongs to it.
@@ -170,7 +183,14 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
     let draw = |triangles| {
-        [Draw { triangles, material: &material, map: &map, distribution: &[], patches: PatchTable::default() }]
+        [Draw {
+            triangles,
+            material: &material,
+            map: &map,
+            distribution: &[],
+            patches: PatchTable::default(),
+            stripes: StripeTable::default(),
+        }]
     };
     let how = How { pass: Pass::Phong, options: Options::default(), samples: 1 };
     let lines = How { pass: Pass::Lines, ..how };
@@ -180,4 +200,47 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let empty = types::Scene { viewport_px: [0.0, 5.0], ..scene(0.5) };
     let none = reference.render(&empty, &draw(0..2), &how);
     assert_eq!(none, Err(ReferenceError::Size { size: [0.0, 5.0], samples: 1 }));
+}
+
+/// A square whose phase grows by `lines` to the right and by a third of it upwards; for the second field, across it.
+fn square_of_stripes(lines: f32) -> [Vec<types::StripePhases>; 2] {
+    let phases = |x: f32, y: f32| {
+        let at = |corner: [f32; 2]| x * corner[0] + y * corner[1];
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(at);
+        [[0, 1, 2], [0, 2, 3]]
+            .map(|triangle| types::StripePhases::wound(triangle.map(|k: usize| corners[k]), 0))
+            .to_vec()
+    };
+    [phases(lines, lines / 3.0), phases(-lines / 3.0, lines)]
+}
+
+#[test]
+fn stripes_draw_the_mean_ink_that_is_wanted_at_any_level() {
+    let reference = Reference::new(&square());
+    let map = MapImage::default();
+    let distribution: &[Vec<f64>] = &[];
+    let mut square_sum = 0.0;
+    let mut count = 0.0;
+    // Whole lines in both directions, so that the mean is that of a period. Five places between one doubling and the
+    // next; lines nearly too dense for pixels, and some that are.
+    for (lines, line_period_px) in
+        [(3.0, 6.0), (3.0, 7.0), (3.0, 8.2), (3.0, 9.4), (3.0, 10.6), (36.0, 2.0), (90.0, 6.0)]
+    {
+        let [along, across] = square_of_stripes(lines);
+        for (cross_from, d) in [(1.0, 0.1), (1.0, 0.37), (1.0, 0.5), (1.0, 0.8), (0.4, 0.55), (0.4, 0.9), (0.0, 0.3)] {
+            let material = types::Material { cross_from, line_period_px, ..material(&[1.0], 1, 1, 0) };
+            let stripes = StripeTable { along: &along, across: &across };
+            let patches = PatchTable::default();
+            let draws = [Draw { triangles: 0..2, material: &material, map: &map, distribution, patches, stripes }];
+            let how = How { pass: Pass::Stripes, options: Options::default(), samples: 2 };
+            let picture = reference.render(&scene(d), &draws, &how).unwrap();
+            let ink = picture.colours.iter().map(|colour| 1.0 - colour.x).sum::<f64>() / picture.colours.len() as f64;
+            // Lines that cross are averaged by the pixel before they are multiplied.
+            assert!((ink - d).abs() < 0.01, "{ink} for {d} at {lines} lines {line_period_px} px, from {cross_from}");
+            square_sum += (ink - d) * (ink - d);
+            count += 1.0;
+        }
+    }
+    let rmse = f64::sqrt(square_sum / count);
+    assert!(rmse < 0.005, "{rmse}");
 }

@@ -5,6 +5,7 @@ use super::field::{Field, FieldOptions, field};
 use super::graph::Graph;
 use super::patches::{PatchOptions, Patches, patches};
 use super::solve::SolveError;
+use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
 use crate::mesh::Mesh;
 
 /// What is made of a surface.
@@ -14,6 +15,19 @@ pub struct SurfaceOptions {
     pub field: FieldOptions,
     /// Patches, for the mapping of that name.
     pub patches: Option<PatchOptions>,
+    /// Stripes, for the method of that name.
+    pub stripes: Option<StripeOptions>,
+}
+
+/// Why there is no surface.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum SurfaceError {
+    /// The field.
+    #[error(transparent)]
+    Field(#[from] SolveError),
+    /// The stripes.
+    #[error(transparent)]
+    Stripes(#[from] StripeError),
 }
 
 /// A surface that strokes lie on.
@@ -29,18 +43,21 @@ pub struct Surface {
     pub patches: Option<Patches>,
     /// Lapped patches.
     pub lapped: Option<Patches>,
+    /// Line fields.
+    pub stripes: Option<Stripes>,
 }
 
 impl Surface {
     /// Makes what the options ask for.
     ///
     /// # Errors
-    /// [`SolveError`] if the field cannot be solved for.
-    pub fn new(mesh: &Mesh, options: &SurfaceOptions) -> Result<Self, SolveError> {
+    /// [`SurfaceError`] if field or stripes cannot be solved for, or the stripes' options are out of range.
+    pub fn new(mesh: &Mesh, options: &SurfaceOptions) -> Result<Self, SurfaceError> {
         let graph = Graph::new(mesh);
         let curvatures = curvatures(&graph);
         let field = field(&graph, mesh, &curvatures, &options.field)?;
         let patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
-        Ok(Self { graph, curvatures, field, patches, lapped: None })
+        let stripes = options.stripes.map(|options| stripes(&graph, &field, &options)).transpose()?;
+        Ok(Self { graph, curvatures, field, patches, lapped: None, stripes })
     }
 }

@@ -11,14 +11,16 @@ pub mod graph;
 pub mod guides;
 pub mod patches;
 mod solve;
+pub mod stripes;
 
-pub use build::{Surface, SurfaceOptions};
+pub use build::{Surface, SurfaceError, SurfaceOptions};
 pub use curvature::{Curvature, curvatures};
 pub use field::{Field, FieldOptions, FieldSource, field};
 pub use graph::Graph;
 pub use guides::Guide;
 pub use patches::{PatchOptions, Patches, patches};
 pub use solve::SolveError;
+pub use stripes::{StripeError, StripeOptions, Stripes, stripes};
 
 #[cfg(test)]
 pub(crate) mod tests;

@@ -31,7 +31,7 @@ pub(crate) fn sheet(columns: u32, rows: u32, p: impl Fn(f64, f64) -> DVec3) -> M
     prepare(raw).expect("a mesh").mesh
 }
 
-fn field_of(mesh: &Mesh, options: &FieldOptions) -> (Graph, Field) {
+pub(crate) fn field_of(mesh: &Mesh, options: &FieldOptions) -> (Graph, Field) {
     let graph = Graph::new(mesh);
     let curvatures = curvatures(&graph);
     let field = field(&graph, mesh, &curvatures, options).expect("a field");

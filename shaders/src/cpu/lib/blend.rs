@@ -2,8 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
+use super::barycentric::corner_weights;
 use super::mapping::{Mapped, footprint, frame_place, map_surface, pattern_count};
-use super::patches::{MAX_PATCHES, corner_weights, patch_patterns, patch_uv, unpack_tens};
+use super::patches::{MAX_PATCHES, patch_patterns, patch_uv, unpack_tens};
 use super::surface::Point;
 use crate::cpu::{Bindings, Blend, Mapping, Options, Quad};
 

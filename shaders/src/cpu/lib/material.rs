@@ -25,6 +25,7 @@ pub struct Material {
     pub slope: f64,
     pub line_period_px: f64,
     pub distribution_entries: f64,
+    pub cross_from: f64,
     pub tones: Vec<f64>,
 }
 
@@ -47,6 +48,7 @@ impl From<&types::Material> for Material {
             slope: material.slope.into(),
             line_period_px: material.line_period_px.into(),
             distribution_entries: material.distribution_entries.into(),
+            cross_from: material.cross_from.into(),
             tones: material.tones.as_flattened().iter().map(|tone| f64::from(*tone)).collect(),
         }
     }

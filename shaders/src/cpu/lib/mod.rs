@@ -1,6 +1,7 @@
 //! Twins of `wgsl/lib`.
 
 pub mod adjacency;
+pub mod barycentric;
 pub mod blend;
 pub mod columns;
 pub mod corners;
@@ -15,5 +16,6 @@ pub mod mesh_types;
 pub mod octahedral;
 pub mod patches;
 pub mod scene;
+pub mod stripes;
 pub mod surface;
 pub mod threshold;

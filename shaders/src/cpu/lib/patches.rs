@@ -1,9 +1,8 @@
 //! Twin of `lib/patches.wgsl`: overlapping parametrisations of a surface, found per face.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec3};
 
 use super::material::{Material, tile_uv};
-use super::mesh::Mesh;
 use crate::cpu::Bindings;
 use crate::types::PatchEntry;
 
@@ -34,14 +33,6 @@ pub struct Patches {
     pub corners: DVec3,
     /// Sum to 1.
     pub weights: [f64; MAX_PATCHES],
-}
-
-/// Barycentric weights of a place in the plane of a face.
-pub fn corner_weights(mesh: &Mesh<'_>, face: usize, p: DVec3) -> DVec3 {
-    let weight = |plane: DVec4| plane.truncate().dot(p) + plane.w;
-    let first = weight(mesh.face_planes[2 * face]);
-    let second = weight(mesh.face_planes[2 * face + 1]);
-    DVec3::new(first, second, 1.0 - first - second)
 }
 
 /// Three 10-bit unorm, low bits first.

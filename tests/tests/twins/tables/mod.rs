@@ -5,6 +5,7 @@ mod light;
 mod lines;
 mod maps;
 mod patches;
+mod stripes;
 mod surface;
 
 use glam::{DVec2, DVec3, DVec4};
@@ -15,10 +16,8 @@ use crate::row::Row;
 
 /// All rows.
 pub(crate) fn all() -> Vec<Row> {
-    [light::rows(), maps::rows(), patches::rows(), frames::rows(), surface::rows(), lines::rows()]
-        .into_iter()
-        .flatten()
-        .collect()
+    let tables = [light::rows(), maps::rows(), patches::rows(), stripes::rows(), frames::rows(), surface::rows()];
+    tables.into_iter().flatten().chain(lines::rows()).collect()
 }
 
 /// A surface point: place and depth, normal, view, uv and face.

@@ -2,8 +2,9 @@
 
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
+use tam_shaders::cpu::lib::barycentric::corner_weights;
 use tam_shaders::cpu::lib::blend::{lapped_ink, patches_ink, surface_ink};
-use tam_shaders::cpu::lib::patches::{corner_weights, patch_uv, patches_at, unpack_tens};
+use tam_shaders::cpu::lib::patches::{patch_uv, patches_at, unpack_tens};
 use tam_shaders::cpu::{Blend, Form, Mapping, Options, Quad, fine_tone, six_way};
 
 use super::maps::SAMPLED;

@@ -1,0 +1,13 @@
+//! Lines along a field over the whole surface.
+
+use tam_shaders::Pass;
+
+use super::Variant;
+use super::shading::form_constant;
+use crate::gpu::MapKind;
+use crate::params::RenderParams;
+
+/// Stripes need no map; the columns are bound in its place.
+pub(super) fn variant(params: &RenderParams) -> Variant {
+    Variant::new(Pass::Stripes, MapKind::Columns).with("FORM", form_constant(params.form))
+}

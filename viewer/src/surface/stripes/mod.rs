@@ -1,0 +1,104 @@
+//! Stripes: one line field over the whole surface, as engravers draw, from the direction field.
+//!
+//! ```text
+//! field ─► growth (per link) ─► spacing (per node) ─► wave (per cluster) ─► settle (per node) ─► phases (per corner)
+//! ```
+//!
+//! The phase counts lines: it is whole in the middle of each, grows across them, and is known up to sign and whole
+//! numbers. Lines can be doubled, phase by phase, without an old one moving, but not halved; so they are laid as far
+//! apart as they are ever drawn.
+//!
+//! Knöppel, Crane, Pinkall and Schröder, "Stripe patterns on surfaces", 2015. Their lines stand evenly, so new ones
+//! must branch off wherever directions spread. Ours may stand closer where directions draw together ([`spacing`]),
+//! since drawing doubles them by their distance on the screen; few branches are left.
+
+mod clusters;
+mod growth;
+mod phases;
+mod settle;
+mod spacing;
+mod wave;
+
+#[cfg(test)]
+mod tests;
+
+use std::f64::consts::FRAC_PI_2;
+
+use tam_shaders::types::StripePhases;
+
+use super::field::Field;
+use super::graph::Graph;
+use super::solve::SolveError;
+use crate::ranges;
+use growth::{Loop, growths, loops};
+
+/// How stripes are laid.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct StripeOptions {
+    /// Lines per mesh unit before any is doubled, 0.25..=64; a mesh is 2 units long. The coarsest that are drawn.
+    pub lines_per_unit: f64,
+    /// Whether a second field is made, whose lines cross those of the first at right angles.
+    pub across: bool,
+}
+
+impl Default for StripeOptions {
+    fn default() -> Self {
+        Self { lines_per_unit: 4.0, across: true }
+    }
+}
+
+/// Why there are no stripes.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum StripeError {
+    /// Lines too many, too few, or no number.
+    #[error("{0} lines per unit; allowed: {range}", range = ranges::LINES_PER_UNIT)]
+    LinesPerUnit(f64),
+    /// A system cannot be factorised.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
+
+/// The phases of the line fields of a surface, 16 bytes per triangle and field.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stripes {
+    /// Per triangle: lines along the direction field.
+    pub along: Vec<StripePhases>,
+    /// Per triangle: lines across it; empty where none were asked for.
+    pub across: Vec<StripePhases>,
+}
+
+/// The stripes of a surface. The same for any number of threads.
+///
+/// # Errors
+/// [`StripeError`]: options out of range, or a system that cannot be factorised.
+pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<Stripes, StripeError> {
+    if !ranges::LINES_PER_UNIT.contains(options.lines_per_unit) {
+        return Err(StripeError::LinesPerUnit(options.lines_per_unit));
+    }
+    let loops = loops(graph);
+    let (along, across) = rayon::join(
+        || lines(graph, &loops, field.angles_rad.clone(), options),
+        || {
+            let turned = |angle: &f64| angle + FRAC_PI_2;
+            let angles = || field.angles_rad.iter().map(turned).collect();
+            if options.across { lines(graph, &loops, angles(), options) } else { Ok(Vec::new()) }
+        },
+    );
+    Ok(Stripes { along: along?, across: across? })
+}
+
+fn lines(
+    graph: &Graph,
+    loops: &[Option<Loop>],
+    angles_rad: Vec<f64>,
+    options: &StripeOptions,
+) -> Result<Vec<StripePhases>, StripeError> {
+    let growths = growths(graph, &angles_rad);
+    let frequencies = spacing::frequencies(graph, loops, &growths, &angles_rad, options.lines_per_unit)?;
+    let steps = growth::steps(graph, &growths, &frequencies);
+    let clusters = clusters::clusters(graph, &steps);
+    let wave = wave::wave(graph, &steps, &clusters)?;
+    let settled = settle::settled(graph, &steps, &clusters, &wave)?;
+    Ok(phases::phases(graph, loops, &steps, &settled))
+}
