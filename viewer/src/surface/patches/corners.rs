@@ -110,6 +110,7 @@ pub(super) fn gather(
         starts: Vec::with_capacity(lists.len() + 1),
         entries: Vec::with_capacity(lists.iter().map(Vec::len).sum()),
         tiles_per_unit: options.tiles_per_unit,
+        follow: options.follow,
     };
     patches_of.starts.push(0);
     for list in lists {
