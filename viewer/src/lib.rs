@@ -14,6 +14,8 @@ pub mod scene;
 
 pub mod reference;
 
+pub mod measure;
+
 mod frame;
 pub mod gpu;
 mod passes;
