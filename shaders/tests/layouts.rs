@@ -4,7 +4,7 @@ use std::any::type_name;
 use std::mem::{offset_of, size_of};
 
 use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
-use tam_shaders::cpu::lib::{face_frame, patches, scene, threshold};
+use tam_shaders::cpu::lib::{face_frame, patches, scene, stripes, threshold};
 use tam_shaders::cpu::{Blend, Follow, Form, Frames, Mapping, PatternKind, face_geometry, lines};
 use tam_shaders::types::{
     Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
@@ -241,6 +241,8 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("FRAMES_FETCHED", Frames::Fetched as u32 as f64),
         ("SINE_BAND", single(face_frame::SINE_BAND)),
         ("MAX_SLOPE", single(threshold::MAX_SLOPE)),
+        ("FADE_FROM", single(stripes::FADE_FROM)),
+        ("FADE_TO", single(stripes::FADE_TO)),
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
         ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),
