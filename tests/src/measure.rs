@@ -1,16 +1,17 @@
 //! All measures of a rendered scene, in one call.
 
 use tam_gen::{Job, Preset};
+use tam_viewer::gpu::GpuMesh;
 use tam_viewer::maps::HatchMap;
 use tam_viewer::measure::{
     Aov, LightSwimming, MeasureOptions, Measures, MotionCoherence, Plane, Popping, Strokes, Track, flicker, ink,
     largest_change, light_swimming, measures, motion_coherence, popping,
 };
 use tam_viewer::mesh::Mesh;
-use tam_viewer::surface::{Field, FieldOptions, FieldSource, Graph, curvatures, field};
+use tam_viewer::surface::{FieldOptions, FieldSource, Surface, SurfaceOptions};
 use tam_viewer::{RenderParams, Scene};
 
-use crate::gpu::{Stage, renderer};
+use crate::gpu::{Stage, renderer, surface_options};
 
 /// A pen of one family along u: direction and length of its strokes mean something at every tone.
 const PEN: &str = r#"
@@ -37,10 +38,8 @@ pub const PEN_LENGTH: f64 = (0.6 * 0.6 + 0.6 * 0.25 + 0.25 * 0.25) / 3.0 / (0.5 
 pub struct Subject {
     /// The mesh.
     pub mesh: Mesh,
-    /// Its graph.
-    pub graph: Graph,
-    /// Wanted directions.
-    pub field: Field,
+    /// Its surface, with the wanted directions.
+    pub surface: Surface,
     /// How it is drawn; silhouette lines are left out.
     pub params: RenderParams,
     /// Windows of the measures.
@@ -87,11 +86,10 @@ impl Subject {
     /// # Panics
     /// If there is no such field.
     pub fn new(mesh: Mesh, source: FieldSource, params: RenderParams) -> Self {
-        let graph = Graph::new(&mesh);
-        let options = FieldOptions { source, ..FieldOptions::default() };
-        let field = field(&graph, &mesh, &curvatures(&graph), &options).expect("a field");
+        let field = FieldOptions { source, ..FieldOptions::default() };
+        let surface = Surface::new(&mesh, &SurfaceOptions { field, ..surface_options(&params) }).expect("a field");
         let params = RenderParams { silhouettes: None, ..params };
-        Self { mesh, graph, field, params, options: MeasureOptions::default() }
+        Self { mesh, surface, params, options: MeasureOptions::default() }
     }
 
     /// What is wanted in a scene.
@@ -99,7 +97,7 @@ impl Subject {
     /// # Panics
     /// If the picture has no pixels.
     pub fn aov(&self, scene: &Scene, size: u32) -> Aov {
-        let strokes = Strokes { graph: &self.graph, field: &self.field };
+        let strokes = Strokes { graph: &self.surface.graph, field: &self.surface.field };
         Aov::new(&self.mesh, scene, [size; 2], Some(strokes)).expect("a picture with pixels")
     }
 
@@ -108,7 +106,8 @@ impl Subject {
     /// # Panics
     /// If it cannot be drawn.
     pub fn shoot(&self, stage: &mut Stage, scene: &Scene) -> Shot {
-        let (aov, ink) = self.draw(stage, scene);
+        let mesh = stage.upload(&self.params, &self.mesh, Some(&self.surface));
+        let (aov, ink) = self.draw(stage, scene, &mesh);
         Shot { measures: measures(&ink, &aov, &self.options), aov, ink }
     }
 
@@ -120,7 +119,8 @@ impl Subject {
         assert!(halvings > 0, "popping needs two lengths of steps, flicker three frames");
         let count = 1_usize << halvings;
         let scenes: Vec<Scene> = (0..=count).map(|i| scene(i as f64 / count as f64)).collect();
-        let frames: Vec<(Aov, Plane)> = scenes.iter().map(|scene| self.draw(stage, scene)).collect();
+        let mesh = stage.upload(&self.params, &self.mesh, Some(&self.surface));
+        let frames: Vec<(Aov, Plane)> = scenes.iter().map(|scene| self.draw(stage, scene, &mesh)).collect();
         let track = |from: usize, to: usize| Track::new(&frames[from].0, &frames[to].0, &self.mesh, &scenes[to]);
         let window_px = 2.0 * self.options.stroke_sigma_px;
         let changes = (1..=halvings).map(|halving| {
@@ -145,9 +145,9 @@ impl Subject {
         }
     }
 
-    fn draw(&self, stage: &mut Stage, scene: &Scene) -> (Aov, Plane) {
+    fn draw(&self, stage: &mut Stage, scene: &Scene, mesh: &GpuMesh) -> (Aov, Plane) {
         let aov = self.aov(scene, stage.size);
-        let pixels = stage.draw(scene, &self.params, &self.mesh);
+        let pixels = stage.draw_uploaded(scene, &self.params, mesh);
         let ink = ink(&pixels, &aov, &self.mesh, scene);
         (aov, ink)
     }

@@ -32,6 +32,8 @@ pub struct RunLength {
     pub mean_px: Option<f64>,
     /// The same along the wanted direction itself, to where it leaves the ink: short for strokes that lie askew.
     pub strict_px: Option<f64>,
+    /// As `mean_px`, but through dark places too, where strokes that touch count as one.
+    pub merged_px: Option<f64>,
     /// Pixels that runs were traced from.
     pub samples: usize,
 }
@@ -47,39 +49,56 @@ pub struct RunLength {
 /// Straight strokes alone are met within 1 px. On the same map lengths grow with the tone, as strokes come to touch, so
 /// compare with the map on a flat quad at the same scale and tone.
 pub fn run_length(ink: &Plane, aov: &Aov) -> RunLength {
-    let inked = |i: &usize| {
-        let shown = aov.pixels[*i].as_ref().is_some_and(|surface| surface.facing >= LEAST_FACING);
-        shown && ink.pixels[*i] >= INKED && wanted(aov.pixels[*i].as_ref()).is_some()
+    let starts = |darkest: f64| -> Vec<usize> {
+        let inked = |i: &usize| {
+            let shown = aov.pixels[*i].as_ref().is_some_and(|surface| surface.facing >= LEAST_FACING);
+            shown && ink.pixels[*i] >= INKED && wanted(aov.pixels[*i].as_ref(), darkest).is_some()
+        };
+        let inked: Vec<usize> = (0..aov.pixels.len()).filter(inked).collect();
+        inked.iter().copied().step_by(inked.len().div_ceil(SAMPLES).max(1)).collect()
     };
-    let inked: Vec<usize> = (0..aov.pixels.len()).filter(inked).collect();
-    let starts: Vec<usize> = inked.iter().copied().step_by(inked.len().div_ceil(SAMPLES).max(1)).collect();
-    let mean_px = |steering: f64| {
-        let run = |start: &usize| [1.0, -1.0].map(|way| trace(ink, aov, *start, way, steering)).iter().sum();
+    let mean_px = |starts: &[usize], follow: Follow| {
+        let run = |start: &usize| [1.0, -1.0].map(|way| trace(ink, aov, *start, way, follow)).iter().sum();
         let runs: Vec<f64> = starts.par_iter().map(run).collect();
         (!runs.is_empty()).then(|| runs.iter().sum::<f64>() / runs.len() as f64)
     };
-    RunLength { mean_px: mean_px(STEERING), strict_px: mean_px(0.0), samples: starts.len() }
+    let light = starts(DARKEST);
+    RunLength {
+        mean_px: mean_px(&light, Follow { steering: STEERING, darkest: DARKEST }),
+        strict_px: mean_px(&light, Follow { steering: 0.0, darkest: DARKEST }),
+        merged_px: mean_px(&starts(1.0), Follow { steering: STEERING, darkest: 1.0 }),
+        samples: light.len(),
+    }
+}
+
+/// How strokes are followed.
+#[derive(Clone, Copy)]
+struct Follow {
+    /// Tangent of the angle by which the trace may leave the wanted direction.
+    steering: f64,
+    /// Wanted darkness beyond which it ends.
+    darkest: f64,
 }
 
 /// Direction in which a run goes on, where one does.
-fn wanted(surface: Option<&Surface>) -> Option<DVec2> {
-    surface.filter(|surface| surface.darkness <= DARKEST).and_then(|surface| surface.stroke_rad).map(DVec2::from_angle)
+fn wanted(surface: Option<&Surface>, darkest: f64) -> Option<DVec2> {
+    surface.filter(|surface| surface.darkness <= darkest).and_then(|surface| surface.stroke_rad).map(DVec2::from_angle)
 }
 
 /// Length of unbroken ink to one side of a pixel.
-fn trace(ink: &Plane, aov: &Aov, start: usize, way: f64, steering: f64) -> f64 {
+fn trace(ink: &Plane, aov: &Aov, start: usize, way: f64, Follow { steering, darkest }: Follow) -> f64 {
     let width = aov.size[0] as usize;
     let limit_px = LONGEST * f64::from(aov.size[0].max(aov.size[1]));
     let mut place = DVec2::new((start % width) as f64, (start / width) as f64) + 0.5;
     let (mut pixel, mut before) = (start, ink.pixels[start]);
-    let Some(mut heading) = wanted(aov.pixels[start].as_ref()).map(|along| along * way) else { return 0.0 };
+    let Some(mut heading) = wanted(aov.pixels[start].as_ref(), darkest).map(|along| along * way) else { return 0.0 };
     let mut length_px = 0.0;
     while length_px < limit_px {
         let side = heading.perp();
         let off = ink.at(place + side) - ink.at(place - side);
         let next = place + (heading + side * (GAIN * off).clamp(-steering, steering)).normalize() * STEP_PX;
         let Some(entered) = aov.index(next) else { break };
-        let Some(along) = wanted(aov.pixels[entered].as_ref()) else { break };
+        let Some(along) = wanted(aov.pixels[entered].as_ref(), darkest) else { break };
         if entered != pixel && !aov.joined(pixel, entered) {
             break;
         }
@@ -160,7 +179,9 @@ mod tests {
     #[test]
     fn dark_places_and_surfaces_without_directions_have_no_runs() {
         let ink = dashes(0.0, 20.0);
-        assert_eq!(run_length(&ink, &flat_aov(SIZE, 0.0, 0.7)).mean_px, None);
+        let dark = run_length(&ink, &flat_aov(SIZE, 0.0, 0.7));
+        assert_eq!(dark.mean_px, None);
+        assert!((dark.merged_px.expect("ink") - 20.0).abs() < 2.0);
         let mut aov = flat_aov(SIZE, 0.0, 0.3);
         aov.pixels.iter_mut().flatten().for_each(|surface| surface.stroke_rad = None);
         assert_eq!(run_length(&ink, &aov).samples, 0);
