@@ -14,6 +14,7 @@ pub mod scene;
 
 pub mod reference;
 
+pub mod inspect;
 pub mod measure;
 
 mod frame;
