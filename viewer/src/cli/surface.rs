@@ -7,7 +7,7 @@ use glam::DVec3;
 use tam_gen::command::{Failure, Output};
 use tam_viewer::mesh::Mesh;
 use tam_viewer::surface::{
-    FieldOptions, FieldSource, Guide, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
+    FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
 };
 use tam_viewer::{LightKind, Mapping, Method, Scene, ranges};
 
@@ -96,22 +96,26 @@ impl SurfaceArgs {
         tiles_per_unit: f64,
         output: &Output,
     ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        let patches = mappings
-            .iter()
-            .any(|mapping| mapping.takes_surface())
-            .then(|| PatchOptions { tiles_per_unit, ..PatchOptions::default() });
+        let patches =
+            mappings.contains(&Mapping::Patches).then(|| PatchOptions { tiles_per_unit, ..PatchOptions::default() });
+        let lapped =
+            mappings.contains(&Mapping::Lapped).then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
         let default = StripeOptions::default();
         let stripes = methods
             .contains(&Method::Stripes)
             .then(|| StripeOptions { lines_per_unit: self.stripes.unwrap_or(default.lines_per_unit), ..default });
-        if patches.is_none() && stripes.is_none() {
+        if patches.is_none() && lapped.is_none() && stripes.is_none() {
             return Ok(None);
         }
-        let fine = patches.map_or_else(|| mesh.clone(), |patches| mesh.subdivided(patches.longest_edge() as f32));
+        let edges = [patches.map(|patches| patches.longest_edge()), lapped.map(|lapped| lapped.longest_edge())];
+        let fine = match edges.into_iter().flatten().reduce(f64::min) {
+            Some(longest) => mesh.subdivided(longest as f32),
+            None => mesh.clone(),
+        };
         if fine.triangles.len() > mesh.triangles.len() && !output.json {
             output.remark(&format!("note: cut into {} triangles, so that patches bend", fine.triangles.len()));
         }
-        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches, stripes };
+        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches, lapped, stripes };
         let surface = Surface::new(&fine, &options).map_err(report::surface)?;
         Ok(Some((fine, surface)))
     }

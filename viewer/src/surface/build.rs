@@ -3,6 +3,7 @@
 use super::curvature::{Curvature, curvatures};
 use super::field::{Field, FieldOptions, field};
 use super::graph::Graph;
+use super::lapped::{LappedOptions, lapped};
 use super::patches::{PatchOptions, Patches, patches};
 use super::solve::SolveError;
 use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
@@ -15,6 +16,8 @@ pub struct SurfaceOptions {
     pub field: FieldOptions,
     /// Patches, for the mapping of that name.
     pub patches: Option<PatchOptions>,
+    /// Lapped patches, for the mapping of that name.
+    pub lapped: Option<LappedOptions>,
     /// Stripes, for the method of that name.
     pub stripes: Option<StripeOptions>,
 }
@@ -22,7 +25,7 @@ pub struct SurfaceOptions {
 /// Why there is no surface.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
-    /// The field.
+    /// The field, or a lapped patch.
     #[error(transparent)]
     Field(#[from] SolveError),
     /// The stripes.
@@ -51,13 +54,14 @@ impl Surface {
     /// Makes what the options ask for.
     ///
     /// # Errors
-    /// [`SurfaceError`] if field or stripes cannot be solved for, or the stripes' options are out of range.
+    /// [`SurfaceError`] if field, lapped patches or stripes cannot be solved for, or the stripes' options are out of range.
     pub fn new(mesh: &Mesh, options: &SurfaceOptions) -> Result<Self, SurfaceError> {
         let graph = Graph::new(mesh);
         let curvatures = curvatures(&graph);
         let field = field(&graph, mesh, &curvatures, &options.field)?;
         let patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
+        let lapped = options.lapped.map(|options| lapped(&graph, &field, &options)).transpose()?;
         let stripes = options.stripes.map(|options| stripes(&graph, &field, &options)).transpose()?;
-        Ok(Self { graph, curvatures, field, patches, lapped: None, stripes })
+        Ok(Self { graph, curvatures, field, patches, lapped, stripes })
     }
 }

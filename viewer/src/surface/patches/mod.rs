@@ -87,6 +87,8 @@ pub struct Patches {
     pub entries: Vec<Entry>,
     /// Repeats of the tile per unit for which they were made.
     pub tiles_per_unit: f64,
+    /// Whether they are painted one over another, by alpha, instead of blended.
+    pub lapped: bool,
 }
 
 impl Patches {
@@ -97,7 +99,7 @@ impl Patches {
 
     /// All entries, as the shaders read them.
     pub fn packed(&self) -> Vec<PatchEntry> {
-        self.entries.par_iter().map(Entry::packed).collect()
+        self.entries.par_iter().map(|entry| entry.packed(self.lapped)).collect()
     }
 
     /// Bytes of starts and entries on the GPU.
