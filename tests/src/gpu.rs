@@ -5,7 +5,7 @@ use tam_gen::{Job, Preset};
 use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, GpuOptions, PixelFormat};
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::{Mesh, Placement, RawMesh, prepare};
-use tam_viewer::surface::{PatchOptions, StripeOptions, Surface, SurfaceOptions};
+use tam_viewer::surface::{LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions};
 use tam_viewer::{Camera, Light, Lights, Mapping, Method, RenderParams, Renderer, Scene};
 
 /// The adapter that tests run on where nothing else is asked for.
@@ -92,9 +92,12 @@ impl Stage {
 /// What a surface needs for a way to draw, else as it is without options.
 pub fn surface_options(params: &RenderParams) -> SurfaceOptions {
     let (tiles_per_unit, follow) = (params.tiles_per_unit, params.follow);
-    let patched = params.method.takes_mapping() && params.mapping.takes_surface();
+    let mapped = |mapping: Mapping| params.method.takes_mapping() && params.mapping == mapping;
+    let patches = || PatchOptions { tiles_per_unit, follow, ..PatchOptions::default() };
+    let lapped = || LappedOptions { tiles_per_unit, ..LappedOptions::default() };
     SurfaceOptions {
-        patches: patched.then(|| PatchOptions { tiles_per_unit, follow, ..PatchOptions::default() }),
+        patches: mapped(Mapping::Patches).then(patches),
+        lapped: mapped(Mapping::Lapped).then(lapped),
         stripes: (params.method == Method::Stripes).then(StripeOptions::default),
         ..SurfaceOptions::default()
     }
@@ -114,8 +117,7 @@ fn takes_surface(params: &RenderParams) -> bool {
 
 /// The mappings that a mesh can be drawn with.
 pub fn mappings(mesh: &Mesh) -> Vec<Mapping> {
-    let all = Mapping::ALL.into_iter().filter(|mapping| *mapping != Mapping::Lapped);
-    all.filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect()
+    Mapping::ALL.into_iter().filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect()
 }
 
 /// A camera straight in front of the mesh.

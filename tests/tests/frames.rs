@@ -5,10 +5,11 @@ use std::path::Path;
 
 use glam::{DVec3, dvec3};
 use tam_gen::sequence::Draw;
-use tam_tests::gpu::{Stage, difference, mappings, nan_count, renderer_with, surface_for};
+use tam_tests::gpu::{Stage, difference, mappings, nan_count, renderer_with, surface_options};
 use tam_viewer::gpu::{GpuOptions, PixelFormat};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, NONE, prepare};
+use tam_viewer::surface::{Surface, SurfaceOptions};
 use tam_viewer::{Blend, FaceFrameForm, Light, LightKind, Lights, Mapping, Method, RenderParams, Scene, Silhouettes};
 
 /// Lights of all kinds, some of them where methods break: in the mesh, on an axis, out of their own cone.
@@ -41,8 +42,10 @@ fn no_pixel_is_without_a_number_on_any_sample_method_mapping_and_light() {
     for sample in Sample::ALL {
         let mesh = prepare(sample.build(600)).expect("a sample").mesh;
         let mut gpu_mesh = stage.renderer.mesh(&mesh).expect("a mesh that fits");
-        let patches = RenderParams { mapping: Mapping::Patches, ..RenderParams::default() };
-        let surface = surface_for(&patches, &mesh).expect("patches take a surface");
+        let of = |mapping| surface_options(&RenderParams { mapping, ..RenderParams::default() });
+        let stripes = surface_options(&RenderParams { method: Method::Stripes, ..RenderParams::default() }).stripes;
+        let options = SurfaceOptions { lapped: of(Mapping::Lapped).lapped, stripes, ..of(Mapping::Patches) };
+        let surface = Surface::new(&mesh, &options).expect("a field");
         stage.renderer.attach(&mut gpu_mesh, &surface).expect("a surface that fits");
         for method in Method::ALL {
             for (k, mapping) in mappings(&mesh).into_iter().enumerate() {

@@ -135,7 +135,7 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let shared = scene.shared([SIDE; 2], radius.into());
     let triangles = 0..mesh.triangles.len() as u32;
     let surface = surface_for(params, mesh);
-    let patches = surface.as_ref().and_then(|surface| surface.patches.as_ref());
+    let patches = surface.as_ref().and_then(|surface| surface.patches.as_ref().or(surface.lapped.as_ref()));
     let entries = patches.map_or(Vec::new(), Patches::packed);
     let starts = patches.map_or(Vec::new(), Patches::packed_starts);
     let (starts, seeds) = starts.split_at(starts.len() - entries.len());

@@ -15,6 +15,11 @@ pub fn catch() -> &'static AtomicBool {
     &INTERRUPTED
 }
 
+/// The flag that an interruption sets once it is caught.
+pub fn flag() -> &'static AtomicBool {
+    &INTERRUPTED
+}
+
 /// Whether there was one.
 pub fn happened() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)

@@ -6,6 +6,7 @@ use tam_viewer::gpu::{GpuError, MapError};
 use tam_viewer::mesh::MeshError;
 use tam_viewer::surface::SurfaceError;
 use tam_viewer::surface::guides::GuideError;
+use tam_viewer::surface::store::StoreError;
 use tam_viewer::turntable::WriteError;
 
 fn work(kind: &'static str, error: &dyn std::error::Error, help: impl Into<Option<&'static str>>) -> Failure {
@@ -62,6 +63,9 @@ pub(super) fn guides(path: &std::path::Path, error: &GuideError) -> Failure {
 }
 
 pub(super) fn surface(error: SurfaceError) -> Failure {
+    if matches!(error, SurfaceError::Cancelled) {
+        return Failure::Interrupted;
+    }
     work("surface", &error, "a smaller mesh needs less memory; --mapping triplanar needs no field")
 }
 
@@ -80,4 +84,12 @@ pub(super) fn write(error: WriteError) -> Failure {
 
 pub(super) fn reference(error: &tam_viewer::reference::ReferenceError) -> Failure {
     work("picture", error, "choose another --side")
+}
+
+pub(super) fn store(path: &std::path::Path, error: &StoreError) -> Failure {
+    Failure::Work {
+        kind: "surface",
+        message: format!("{}: {error}", path.display()),
+        help: Some("name another file with --surface; one that does not exist is written".into()),
+    }
 }

@@ -4,12 +4,16 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use glam::DVec3;
-use tam_gen::command::{Failure, Output};
+use tam_gen::Job;
+use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::mesh::Mesh;
 use tam_viewer::surface::{
-    FieldOptions, FieldSource, Guide, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
+    FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
+    store,
 };
 use tam_viewer::{Follow, LightKind, Mapping, Method, Scene, ranges};
+
+use tam_viewer::surface::store::StoreError;
 
 use super::{parse, report};
 
@@ -29,6 +33,12 @@ pub(super) struct SurfaceArgs {
     /// Whether patches lie still along the field, or turn across the light
     #[arg(long, value_enum, default_value = "surface", help_heading = "How it is hatched")]
     follow: FollowArg,
+    /// Lay patches by projection on planes: cheaper to make, true on flat ground only
+    #[arg(long, help_heading = "How it is hatched")]
+    planar: bool,
+    /// Keep field, patches and stripes in this file: it is read if it was made for the same mesh and options, else written
+    #[arg(long, value_name = "FILE", help_heading = "How it is hatched")]
+    surface: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -113,25 +123,60 @@ impl SurfaceArgs {
         tiles_per_unit: f64,
         output: &Output,
     ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        let patches = mappings.iter().any(|mapping| mapping.takes_surface()).then(|| PatchOptions {
+        let patches = mappings.contains(&Mapping::Patches).then(|| PatchOptions {
             tiles_per_unit,
             follow: self.follow(),
+            planar: self.planar,
             ..PatchOptions::default()
         });
+        let lapped =
+            mappings.contains(&Mapping::Lapped).then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
         let default = StripeOptions::default();
         let stripes = methods
             .contains(&Method::Stripes)
             .then(|| StripeOptions { lines_per_unit: self.stripes.unwrap_or(default.lines_per_unit), ..default });
-        if patches.is_none() && stripes.is_none() {
+        if patches.is_none() && lapped.is_none() && stripes.is_none() {
             return Ok(None);
         }
-        let fine = patches.map_or_else(|| mesh.clone(), |patches| mesh.subdivided(patches.longest_edge() as f32));
+        let edges = [patches.map(|patches| patches.longest_edge()), lapped.map(|lapped| lapped.longest_edge())];
+        let fine = match edges.into_iter().flatten().reduce(f64::min) {
+            Some(longest) => mesh.subdivided(longest as f32),
+            None => mesh.clone(),
+        };
         if fine.triangles.len() > mesh.triangles.len() && !output.json {
             output.remark(&format!("note: cut into {} triangles, so that patches bend", fine.triangles.len()));
         }
-        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches, stripes };
-        let surface = Surface::new(&fine, &options).map_err(report::surface)?;
+        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches, lapped, stripes };
+        let surface = self.made(&fine, &options, output)?;
         Ok(Some((fine, surface)))
+    }
+
+    /// The surface of the file, where it is for this mesh and these options, else a new one.
+    fn made(&self, mesh: &Mesh, options: &SurfaceOptions, output: &Output) -> Result<Surface, Failure> {
+        let remark = |text: &str| {
+            if !output.json {
+                output.remark(text);
+            }
+        };
+        if let Some(path) = self.surface.as_ref().filter(|path| path.exists()) {
+            match store::read(path, mesh, options) {
+                Ok(Some(surface)) => return Ok(surface),
+                Ok(None) => {
+                    remark("note: the surface in the file is of another mesh or other options; it is made anew")
+                }
+                // What is no surface may be anything that somebody needs.
+                Err(error @ StoreError::Format) => return Err(report::store(path, &error)),
+                Err(error) => remark(&format!("note: {}: {error}; it is made anew", path.display())),
+            }
+        }
+        let progress = Progress::new("field and patches", output.quiet || output.json);
+        let done = |part: f32| progress.set(part);
+        let job = Job { progress: Some(&done), cancel: Some(interrupt::flag()), measure: None };
+        let surface = Surface::new_with(mesh, options, &job).map_err(report::surface)?;
+        if let Some(path) = &self.surface {
+            store::write(path, mesh, options, &surface).map_err(|error| report::store(path, &error))?;
+        }
+        Ok(surface)
     }
 }
 

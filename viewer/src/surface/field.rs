@@ -54,7 +54,7 @@ impl Default for FieldOptions {
 }
 
 /// The directions at the nodes of a [`Graph`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Field {
     /// Per node: the angle in the node's frame, -π/2..=π/2, in radians.
     pub angles_rad: Vec<f64>,

@@ -1,7 +1,7 @@
 //! What a surface says about strokes: curvature, and the direction field that strokes follow.
 //!
 //! ```text
-//! mesh ─► graph ─► curvature ─► field ─► patches | stripes
+//! mesh ─► graph ─► curvature ─► field ─► patches | lapped | stripes
 //! ```
 
 mod build;
@@ -9,8 +9,10 @@ pub mod curvature;
 pub mod field;
 pub mod graph;
 pub mod guides;
+pub mod lapped;
 pub mod patches;
 mod solve;
+pub mod store;
 pub mod stripes;
 
 pub use build::{Surface, SurfaceError, SurfaceOptions};
@@ -18,6 +20,7 @@ pub use curvature::{Curvature, curvatures};
 pub use field::{Field, FieldOptions, FieldSource, field};
 pub use graph::Graph;
 pub use guides::Guide;
+pub use lapped::{LappedOptions, lapped};
 pub use patches::{PatchOptions, Patches, patches};
 pub use solve::SolveError;
 pub use stripes::{StripeError, StripeOptions, Stripes, stripes};

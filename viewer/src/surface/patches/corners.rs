@@ -32,17 +32,15 @@ pub struct Entry {
     pub seed: u32,
     /// Per corner, place on the tile, in tiles.
     pub uv: [DVec2; 3],
-    /// Per corner, 0..=4: distance behind the nearest patch, in feathers.
+    /// Per corner: distance behind the nearest patch, in feathers, 0..=4; of lapped patches the alpha, 0..=1.
     pub behind: [f64; 3],
 }
 
 impl Entry {
-    /// As the shaders read it.
-    pub fn packed(&self) -> PatchEntry {
-        PatchEntry {
-            places: self.uv.map(pack_place),
-            shares: pack_tens(self.behind.map(|behind| behind / BEHIND_RANGE)),
-        }
+    /// As the shaders read it; `lapped` as in [`Patches::lapped`].
+    pub fn packed(&self, lapped: bool) -> PatchEntry {
+        let range = if lapped { 1.0 } else { BEHIND_RANGE };
+        PatchEntry { places: self.uv.map(pack_place), shares: pack_tens(self.behind.map(|behind| behind / range)) }
     }
 }
 
@@ -111,6 +109,7 @@ pub(super) fn gather(
         entries: Vec::with_capacity(lists.iter().map(Vec::len).sum()),
         tiles_per_unit: options.tiles_per_unit,
         follow: options.follow,
+        lapped: false,
     };
     patches_of.starts.push(0);
     for list in lists {

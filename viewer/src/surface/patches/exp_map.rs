@@ -31,13 +31,16 @@ pub(super) struct Explorer {
     finished: Vec<u32>,
     touched: Vec<u32>,
     heap: BinaryHeap<Reverse<(Ordered, u32)>>,
+    /// Places by projection on the seed's tangent plane, instead of predicted ones.
+    planar: bool,
 }
 
 const UNFINISHED: u32 = u32::MAX;
 
 impl Explorer {
-    pub(super) fn new(nodes: usize) -> Self {
+    pub(super) fn new(nodes: usize, planar: bool) -> Self {
         Self {
+            planar,
             distance: vec![f64::INFINITY; nodes],
             finished: vec![UNFINISHED; nodes],
             touched: Vec::new(),
@@ -55,6 +58,8 @@ impl Explorer {
             }
             let visit = if node == seed {
                 Visit { node, place: DVec2::ZERO, turn_rad: 0.0, radius: 0.0 }
+            } else if self.planar {
+                projected(graph, seed, node)
             } else {
                 self.predicted(graph, &visits, node)
             };
@@ -104,10 +109,18 @@ impl Explorer {
     }
 }
 
+/// A node dropped onto the tangent plane of the seed.
+fn projected(graph: &Graph, seed: u32, node: u32) -> Visit {
+    let (from, to) = (seed as usize, node as usize);
+    let step = graph.positions[to] - graph.positions[from];
+    let place = DVec2::new(step.dot(graph.tangents[from]), step.dot(graph.bitangent(from)));
+    Visit { node, place, turn_rad: graph.angle(from, graph.tangents[to]), radius: step.length() }
+}
+
 /// The map around a node: other nodes within a distance and their places in the node's frame, in mesh units, nearest
 /// first.
 pub fn exponential_map(graph: &Graph, node: u32, reach: f64) -> Vec<(u32, DVec2)> {
     let density = vec![1.0; graph.len()];
-    let visits = Explorer::new(graph.len()).explore(graph, &density, node, reach);
+    let visits = Explorer::new(graph.len(), false).explore(graph, &density, node, reach);
     visits.into_iter().map(|visit| (visit.node, visit.place)).collect()
 }

@@ -40,6 +40,9 @@ pub struct PatchOptions {
     pub greatest_density: f64,
     /// Whether patches bend along the field within themselves.
     pub bent: bool,
+    /// Whether patches are projections on the seeds' tangent planes: cheaper, and strokes are squeezed where the surface
+    /// turns away.
+    pub planar: bool,
     /// Along the field; or straight in the seeds' own frames, to be turned with the light when they are drawn.
     pub follow: Follow,
 }
@@ -52,6 +55,7 @@ impl Default for PatchOptions {
             feather_tiles: 0.18,
             greatest_density: 2.5,
             bent: true,
+            planar: false,
             follow: Follow::Surface,
         }
     }
@@ -68,7 +72,7 @@ impl PatchOptions {
 const REACH: f64 = 1.9;
 
 /// The centre of a patch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Seed {
     /// Its node.
     pub node: u32,
@@ -92,6 +96,8 @@ pub struct Patches {
     pub tiles_per_unit: f64,
     /// What they follow.
     pub follow: Follow,
+    /// Whether they are painted one over another, by alpha, instead of blended.
+    pub lapped: bool,
 }
 
 impl Patches {
@@ -102,7 +108,7 @@ impl Patches {
 
     /// All entries, as the shaders read them.
     pub fn packed(&self) -> Vec<PatchEntry> {
-        self.entries.par_iter().map(Entry::packed).collect()
+        self.entries.par_iter().map(|entry| entry.packed(self.lapped)).collect()
     }
 
     /// Starts and seeds, as the shaders read them: per face its first entry, their number, and per entry its seed.
@@ -126,7 +132,7 @@ pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: 
         .par_iter()
         .enumerate()
         .map_init(
-            || Explorer::new(graph.len()),
+            || Explorer::new(graph.len(), options.planar),
             |explorer, (index, &node)| {
                 let mut visits = explorer.explore(graph, &density, node, REACH * spacing);
                 let bend = Bend::fit(graph, field, &visits, spacing / density[node as usize], options);
