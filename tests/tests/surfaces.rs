@@ -164,3 +164,25 @@ fn strokes_on_the_surface_do_not_swim_and_those_that_follow_the_light_do_not_pop
     }
     assert!(worst < 0.05, "{table}");
 }
+
+#[test]
+fn strokes_stay_as_wide_under_zoom() {
+    let mut stage = pen_stage(384);
+    for method in [Method::FineTone, Method::StrokeMap] {
+        let subject = subject(Sample::Hand, 8_000, method);
+        // Six steps through a factor of four: between two levels of detail and on them.
+        let samples: Vec<(f64, f64)> = (0..6)
+            .map(|step| {
+                let zoom = 4.0_f64.powf(f64::from(step) / 5.0);
+                let mut scene = lit(&subject);
+                scene.lights = Lights { ambient: 0.85, lights: Vec::new() };
+                scene.camera.distance /= zoom;
+                let width = subject.shoot(&mut stage, &scene).measures.width.median_px.expect("strokes");
+                (zoom, width)
+            })
+            .collect();
+        let widths = || samples.iter().map(|(_, width)| *width);
+        let (least, most) = (widths().fold(f64::INFINITY, f64::min), widths().fold(0.0, f64::max));
+        assert!(most < 1.2 * least, "{}: {samples:.2?}: more than 10 % to both sides", method.name());
+    }
+}

@@ -64,7 +64,7 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     check_png(&args.out)?;
     files::check_free(&args.out, args.force)?;
     let mut methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
-    let mut stage = Stage::open(&args.view, &methods, &Mapping::ALL, args.size, args.samples, true, output)?;
+    let mut stage = Stage::open(&args.view, &methods, Some(&Mapping::ALL), args.size, args.samples, true, output)?;
     if args.methods.is_empty() && stage.maps.iter().any(|map| map.source.stroke_map.is_none()) {
         methods.retain(|method| *method != Method::StrokeMap);
         output.remark("note: stroke-map is left out: the map has no stroke map");

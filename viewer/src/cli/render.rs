@@ -64,15 +64,7 @@ pub(super) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     check_png(&path)?;
     files::check_free(&path, args.force)?;
 
-    let mut stage = Stage::open(
-        &args.view,
-        &[args.method],
-        &args.view.mappings(args.method),
-        args.size,
-        args.samples,
-        true,
-        output,
-    )?;
+    let mut stage = Stage::open(&args.view, &[args.method], None, args.size, args.samples, true, output)?;
     let params = args.view.params(args.method, &stage.loaded.mesh, args.size);
     let timer = FrameTimer::new(&stage.renderer.gpu);
     let scene = stage.scene.clone();

@@ -30,12 +30,13 @@ pub(super) struct Stage {
 impl Stage {
     /// Loads mesh and maps, opens the adapter, uploads, and places the camera.
     ///
-    /// `methods` are those that will draw; they decide what is made of the maps. `posed` moves the mesh as time and
+    /// `methods` are those that will draw; they decide what is made of the maps; `mappings` are those that
+    /// they will draw with, where it is not the one of the view. `posed` moves the mesh as time and
     /// deformation say, else it is at rest.
     pub(super) fn open(
         view: &ViewArgs,
         methods: &[Method],
-        mappings: &[Mapping],
+        mappings: Option<&[Mapping]>,
         size: [u32; 2],
         samples: u32,
         posed: bool,
@@ -67,6 +68,9 @@ impl Stage {
         let mut scene = view.scene(&loaded.mesh, colours, &numbers)?;
         place_camera(&mut scene, view, &loaded.mesh.positions, size);
         let tiles_per_unit = view.params(Method::Phong, &loaded.mesh, size).tiles_per_unit;
+        let own = [view.mapping(&loaded.mesh)];
+        let mapped = methods.iter().any(|method| method.takes_mapping());
+        let mappings = if mapped { mappings.unwrap_or(&own) } else { &[] };
         let surface = view.surface.build(&loaded.mesh, &scene, methods, mappings, tiles_per_unit, output)?;
         let surface = surface.map(|(mesh, surface)| {
             loaded.mesh = mesh;

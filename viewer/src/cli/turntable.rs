@@ -102,15 +102,7 @@ pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> 
     file.check(args.size, args.force).map_err(report::write)?;
 
     let posed = !matches!(path, Path::Deform(_));
-    let mut stage = Stage::open(
-        &args.view,
-        &[args.method],
-        &args.view.mappings(args.method),
-        args.size,
-        args.samples,
-        posed,
-        output,
-    )?;
+    let mut stage = Stage::open(&args.view, &[args.method], None, args.size, args.samples, posed, output)?;
     if path == Path::Animation && stage.loaded.mesh.animation.is_none() {
         return Err(Failure::usage(
             format!("the mesh `{}` has no animation", stage.loaded.mesh.name),

@@ -38,7 +38,7 @@ pub(super) struct ViewArgs {
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::stretch, allow_hyphen_values = true, help_heading = "What is drawn")]
     stretch: Option<DVec3>,
 
-    /// How strokes lie on the surface; auto: by the mesh's uv where it has one, else triplanar
+    /// How strokes lie on the surface; auto: by the mesh's uv where it has one, else patches
     #[arg(long, value_enum, default_value = "auto", help_heading = "How it is hatched")]
     mapping: MappingArg,
     #[command(flatten)]
@@ -139,7 +139,7 @@ impl AdapterArgs {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum MappingArg {
-    /// The mesh's uv where it has one, else triplanar
+    /// The mesh's uv where it has one, else patches
     Auto,
     /// The mesh's own parametrisation
     Uv,
@@ -196,14 +196,7 @@ impl ViewArgs {
         let crease_deg = self.crease.map_or(lines.crease_deg, |crease| crease.0);
         RenderParams {
             method,
-            mapping: match self.mapping {
-                MappingArg::Auto => Mapping::of(mesh),
-                MappingArg::Uv => Mapping::Uv,
-                MappingArg::Frames => Mapping::Frames,
-                MappingArg::Triplanar => Mapping::Triplanar,
-                MappingArg::Patches => Mapping::Patches,
-                MappingArg::Lapped => Mapping::Lapped,
-            },
+            mapping: self.mapping(mesh),
             form: match self.form {
                 FormArg::Hardened => Form::Hardened,
                 FormArg::Literal => Form::Literal,
@@ -223,14 +216,16 @@ impl ViewArgs {
         }
     }
 
-    /// The mappings that a method draws with, as far as they are known without the mesh.
-    pub(super) fn mappings(&self, method: Method) -> Vec<Mapping> {
-        let named = match self.mapping {
-            MappingArg::Patches => Some(Mapping::Patches),
-            MappingArg::Lapped => Some(Mapping::Lapped),
-            _ => None,
-        };
-        named.into_iter().filter(|_| method.takes_mapping()).collect()
+    /// The mapping that methods draw a mesh with.
+    pub(super) fn mapping(&self, mesh: &Mesh) -> Mapping {
+        match self.mapping {
+            MappingArg::Auto if mesh.uvs.is_empty() => Mapping::Patches,
+            MappingArg::Auto | MappingArg::Uv => Mapping::Uv,
+            MappingArg::Frames => Mapping::Frames,
+            MappingArg::Triplanar => Mapping::Triplanar,
+            MappingArg::Patches => Mapping::Patches,
+            MappingArg::Lapped => Mapping::Lapped,
+        }
     }
 
     /// The mapping asked for by name, if any.
