@@ -79,7 +79,7 @@ impl Stage {
 /// If there is no field.
 pub fn surface_for(params: &RenderParams, mesh: &Mesh) -> Option<Surface> {
     let patches = PatchOptions { tiles_per_unit: params.tiles_per_unit, ..PatchOptions::default() };
-    let patched = params.method.takes_mapping() && params.mapping.takes_surface();
+    let patched = params.needed_mapping().is_some_and(Mapping::takes_surface);
     let striped = params.method == Method::Stripes;
     let options = SurfaceOptions {
         patches: patched.then_some(patches),

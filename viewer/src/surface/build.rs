@@ -5,6 +5,7 @@ use super::field::{Field, FieldOptions, field};
 use super::graph::Graph;
 use super::patches::{PatchOptions, Patches, patches};
 use super::solve::SolveError;
+use super::stripes::rows::rows;
 use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
 use crate::mesh::Mesh;
 
@@ -56,8 +57,11 @@ impl Surface {
         let graph = Graph::new(mesh);
         let curvatures = curvatures(&graph);
         let field = field(&graph, mesh, &curvatures, &options.field)?;
-        let patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
+        let mut patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
         let stripes = options.stripes.map(|options| stripes(&graph, &field, &options)).transpose()?;
+        if let (Some(patches), Some(stripes)) = (&mut patches, &stripes) {
+            patches.rows = rows(&graph, &mesh.neighbours, patches, stripes);
+        }
         Ok(Self { graph, curvatures, field, patches, lapped: None, stripes })
     }
 }
