@@ -256,7 +256,6 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("GREATEST_DIFFERENCE", single(strokes::GREATEST_DIFFERENCE)),
         ("PROFILE_MEAN", single(strokes::PROFILE_MEAN)),
         ("GREATEST_WAVER", single(strokes::GREATEST_WAVER)),
-        ("ROW_FEATHER", single(strokes::ROW_FEATHER)),
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
         ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),

@@ -160,16 +160,6 @@ impl Default for Silhouettes {
     }
 }
 
-impl RenderParams {
-    /// The mapping whose patches a frame needs: that of its strokes, also where these make up stripes.
-    pub fn needed_mapping(&self) -> Option<Mapping> {
-        match self.method {
-            Method::Stripes => (self.variety > 0.0).then_some(Mapping::Patches),
-            method => method.takes_mapping().then_some(self.mapping),
-        }
-    }
-}
-
 /// How a frame is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RenderParams {
@@ -200,6 +190,16 @@ pub struct RenderParams {
     pub variety: f64,
     /// Lines over the strokes.
     pub silhouettes: Option<Silhouettes>,
+}
+
+impl RenderParams {
+    /// The mapping whose patches a frame needs: that of its strokes, also where these make up stripes.
+    pub fn needed_mapping(&self) -> Option<Mapping> {
+        match self.method {
+            Method::Stripes => (self.variety > 0.0).then_some(Mapping::Patches),
+            method => method.takes_mapping().then_some(self.mapping),
+        }
+    }
 }
 
 impl Default for RenderParams {

@@ -3,10 +3,10 @@
 
 use glam::{DVec2, DVec3, DVec4};
 
+use super::builtin::{mix, smoothstep};
 use super::lib::barycentric::{corner_slopes, corner_weights};
 use super::lib::light::darkness;
 use super::lib::mapping::frame_place;
-use super::builtin::{mix, smoothstep};
 use super::lib::material::reflectance;
 use super::lib::mesh::Mesh;
 use super::lib::patches::{Patches, patches_at};

@@ -13,8 +13,6 @@ const GREATEST_DIFFERENCE: f32 = 0.3;
 const PROFILE_MEAN: f32 = 0.75;
 // Share of the free space beside a line that it wavers through, at variety 1.
 const GREATEST_WAVER: f32 = 0.5;
-// Patches pass into each other line by line, each at another place: the power of the weights, by lot.
-const ROW_FEATHER: f32 = 4.0;
 
 // A stroke at a place of its line.
 struct Stroke {
@@ -83,7 +81,7 @@ fn stroke_at(key: u32, row: i32, born: u32, along: f32, variety: f32) -> Stroke 
     let t = (x - start) / ((cell_start(key, c + 1) - start) * (1.0 - gap));
     let strength = 1.0 + GREATEST_DIFFERENCE * variety * (2.0 * lot(key, 4u * u32(c) + 5u) - 1.0);
     let profile = stroke_profile(t, mix(0.3, 0.7, lot(key, 4u * u32(c) + 6u)));
-    let wave = sin(6.2831853 * fract(1.3 * x + lot(key, 1u)));
+    let wave = sin(6.2831853 * fract(0.8 * x + lot(key, 1u)));
     return Stroke(strength * profile / (PROFILE_MEAN * (1.0 - gap)) - 1.0, wave);
 }
 
@@ -122,7 +120,7 @@ fn patched_stroke(patches: Patches, field: u32, row: i32, octave: u32, variety: 
         }
         if seed == NO_SEED {
             // A face alone has no rows.
-            total += pow(0.5 * weight, ROW_FEATHER);
+            total += 0.25 * weight * weight;
             continue;
         }
         let code = entry_row(entry, field);
@@ -131,11 +129,13 @@ fn patched_stroke(patches: Patches, field: u32, row: i32, octave: u32, variety: 
         let line = own_row >> (octave - born);
         let key = row_key(2u * seed + field, line, born);
         let along = tiles * patch_place(patch_entries[entry].places, patches.corners)[field];
-        let share = pow(weight * (0.1 + 0.9 * lot(key, 2u)), ROW_FEATHER);
+        // Patches pass into each other line by line, each at another place.
+        let pull = weight * (0.1 + 0.9 * lot(key, 2u));
+        let share = pull * pull;
         let own = stroke_at(key, line, born, along, variety);
         stroke.swell += share * own.swell;
-        stroke.waver += share * f32(code.x) * own.waver;
+        stroke.waver += weight * f32(code.x) * own.waver;
         total += share;
     }
-    return Stroke(stroke.swell / max(total, 1e-12), stroke.waver / max(total, 1e-12));
+    return Stroke(stroke.swell / max(total, 1e-12), stroke.waver);
 }

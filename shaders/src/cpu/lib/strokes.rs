@@ -18,8 +18,6 @@ pub const GREATEST_DIFFERENCE: f64 = 0.3_f32 as f64;
 pub const PROFILE_MEAN: f64 = 0.75;
 /// Share of the free space beside a line that it wavers through, at variety 1.
 pub const GREATEST_WAVER: f64 = 0.5;
-/// The power of the weights with which patches pass into each other, by lot.
-pub const ROW_FEATHER: f64 = 4.0;
 
 /// A stroke at a place of its line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -96,7 +94,7 @@ pub fn stroke_at(key: u32, row: i32, born: u32, along: f64, variety: f64) -> Str
     let t = (x - start) / ((cell_start(key, c + 1) - start) * (1.0 - gap));
     let strength = 1.0 + GREATEST_DIFFERENCE * variety * (2.0 * lot(key, counter(c, 5)) - 1.0);
     let profile = stroke_profile(t, mix(0.3, 0.7, lot(key, counter(c, 6))));
-    let waver = (TAU * (1.3 * x + lot(key, 1)).rem_euclid(1.0)).sin();
+    let waver = (TAU * (0.8 * x + lot(key, 1)).rem_euclid(1.0)).sin();
     Stroke { swell: strength * profile / (PROFILE_MEAN * (1.0 - gap)) - 1.0, waver }
 }
 
@@ -127,7 +125,7 @@ pub fn patched_stroke(b: &Bindings<'_>, patches: &Patches, field: u32, row: i32,
         let entry = patches.first + i;
         let seed = entry_seed(b.patches, entry);
         if seed == NO_SEED {
-            total += (0.5 * weight).powf(ROW_FEATHER);
+            total += 0.25 * weight * weight;
             continue;
         }
         let [sign, number] = entry_row(b.patches.rows, entry, field);
@@ -136,12 +134,12 @@ pub fn patched_stroke(b: &Bindings<'_>, patches: &Patches, field: u32, row: i32,
         let line = own_row >> (octave - born);
         let key = row_key(2 * seed + field, line, born);
         let along = tiles * patch_place(b.patches.entries[entry].places, patches.corners)[field as usize];
-        let share = (weight * (0.1 + 0.9 * lot(key, 2))).powf(ROW_FEATHER);
+        let pull = weight * (0.1 + 0.9 * lot(key, 2));
+        let share = pull * pull;
         let own = stroke_at(key, line, born, along, variety);
         stroke.swell += share * own.swell;
-        stroke.waver += share * f64::from(sign) * own.waver;
+        stroke.waver += weight * f64::from(sign) * own.waver;
         total += share;
     }
-    let total = total.max(1e-12);
-    Stroke { swell: stroke.swell / total, waver: stroke.waver / total }
+    Stroke { swell: stroke.swell / total.max(1e-12), ..stroke }
 }

@@ -117,7 +117,8 @@ impl Patches {
 
     /// Bytes of starts and entries on the GPU.
     pub fn bytes(&self) -> u64 {
-        4 * (self.starts.len() + self.rows.len() + self.entries.len()) as u64 + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
+        4 * (self.starts.len() + self.rows.len() + self.entries.len()) as u64
+            + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
     }
 }
 

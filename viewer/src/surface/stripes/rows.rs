@@ -58,12 +58,7 @@ pub(crate) fn rows(graph: &Graph, neighbours: &[[u32; 3]], patches: &Patches, st
 }
 
 /// The rows of one field, per entry.
-pub(crate) fn rows_of(
-    graph: &Graph,
-    neighbours: &[[u32; 3]],
-    patches: &Patches,
-    phases: &[StripePhases],
-) -> Vec<Row> {
+pub(crate) fn rows_of(graph: &Graph, neighbours: &[[u32; 3]], patches: &Patches, phases: &[StripePhases]) -> Vec<Row> {
     let mut of_entries = vec![Row::default(); patches.entries.len()];
     if phases.is_empty() {
         return of_entries;
@@ -91,13 +86,7 @@ pub(crate) fn rows_of(
 }
 
 /// The rows of one patch; its triangles are sorted.
-fn walk(
-    graph: &Graph,
-    neighbours: &[[u32; 3]],
-    phases: &[StripePhases],
-    places: &[Place],
-    seed: u32,
-) -> Vec<Row> {
+fn walk(graph: &Graph, neighbours: &[[u32; 3]], phases: &[StripePhases], places: &[Place], seed: u32) -> Vec<Row> {
     let mut rows: Vec<Option<Row>> = vec![None; places.len()];
     let plain = |place: &Place| phases[place.0 as usize].code == 0;
     let at_seed = |place: &Place| plain(place) && graph.triangles[place.0 as usize].contains(&seed);
@@ -131,13 +120,7 @@ fn walk(
 }
 
 /// The row beyond side `side` of the first of two triangles; none over a hard edge.
-fn across_edge(
-    graph: &Graph,
-    phases: &[StripePhases],
-    [here, there]: [u32; 2],
-    side: usize,
-    row: Row,
-) -> Option<Row> {
+fn across_edge(graph: &Graph, phases: &[StripePhases], [here, there]: [u32; 2], side: usize, row: Row) -> Option<Row> {
     let (here, there) = (here as usize, there as usize);
     let ends = [graph.triangles[here][side], graph.triangles[here][(side + 1) % 3]];
     let opposite = (0..3).find(|k| !ends.contains(&graph.triangles[there][*k]))?;
