@@ -97,6 +97,7 @@ pieces!(
     "patches",
     "scene",
     "stripes",
+    "strokes",
     "surface",
     "threshold",
 );

@@ -127,6 +127,14 @@ pub struct Material {
     pub distribution_entries: f32,
     /// Darkness above which stripes are crossed by others; 1: never.
     pub cross_from: f32,
+    /// How much the strokes of stripes differ, 0..=1.
+    pub variety: f32,
+    /// Fills the record.
+    pub _pad_a: f32,
+    /// Fills the record.
+    pub _pad_b: f32,
+    /// Fills the record.
+    pub _pad_c: f32,
     /// Tone of white (0) and of each column, increasing.
     pub tones: [[f32; 4]; 17],
 }

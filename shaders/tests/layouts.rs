@@ -4,8 +4,8 @@ use std::any::type_name;
 use std::mem::{offset_of, size_of};
 
 use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
-use tam_shaders::cpu::lib::{face_frame, patches, scene, stripes, threshold};
-use tam_shaders::cpu::{Blend, Follow, Form, Frames, Mapping, PatternKind, face_geometry, lines};
+use tam_shaders::cpu::lib::{face_frame, patches, scene, stripes, strokes, threshold};
+use tam_shaders::cpu::{self, Blend, Follow, Form, Frames, Mapping, PatternKind, face_geometry, lines};
 use tam_shaders::types::{
     Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
     Vertex,
@@ -87,6 +87,10 @@ fn records() -> Vec<Record> {
             line_period_px,
             distribution_entries,
             cross_from,
+            variety,
+            _pad_a,
+            _pad_b,
+            _pad_c,
             tones,
         }),
         record!(StripePhases { corners, code }),
@@ -243,6 +247,15 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("MAX_SLOPE", single(threshold::MAX_SLOPE)),
         ("FADE_FROM", single(stripes::FADE_FROM)),
         ("FADE_TO", single(stripes::FADE_TO)),
+        ("VARIED", 0.0),
+        ("ALONG", f64::from(cpu::stripes::ALONG)),
+        ("ACROSS", f64::from(cpu::stripes::ACROSS)),
+        ("EVEN_FROM", single(cpu::stripes::EVEN_FROM)),
+        ("STROKE_TILES", single(strokes::STROKE_TILES)),
+        ("GREATEST_GAP", single(strokes::GREATEST_GAP)),
+        ("GREATEST_DIFFERENCE", single(strokes::GREATEST_DIFFERENCE)),
+        ("PROFILE_MEAN", single(strokes::PROFILE_MEAN)),
+        ("GREATEST_WAVER", single(strokes::GREATEST_WAVER)),
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
         ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),

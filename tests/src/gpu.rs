@@ -92,7 +92,7 @@ impl Stage {
 /// What a surface needs for a way to draw, else as it is without options.
 pub fn surface_options(params: &RenderParams) -> SurfaceOptions {
     let (tiles_per_unit, follow) = (params.tiles_per_unit, params.follow);
-    let mapped = |mapping: Mapping| params.method.takes_mapping() && params.mapping == mapping;
+    let mapped = |mapping: Mapping| params.needed_mapping() == Some(mapping);
     let patches = || PatchOptions { tiles_per_unit, follow, ..PatchOptions::default() };
     let lapped = || LappedOptions { tiles_per_unit, ..LappedOptions::default() };
     SurfaceOptions {
@@ -112,7 +112,7 @@ pub fn surface_for(params: &RenderParams, mesh: &Mesh) -> Option<Surface> {
 }
 
 fn takes_surface(params: &RenderParams) -> bool {
-    params.method == Method::Stripes || params.method.takes_mapping() && params.mapping.takes_surface()
+    params.method == Method::Stripes || params.needed_mapping().is_some_and(Mapping::takes_surface)
 }
 
 /// The mappings that a mesh can be drawn with.

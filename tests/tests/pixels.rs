@@ -77,6 +77,7 @@ fn options(params: &RenderParams) -> Options {
         },
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
         follow: cpu::Follow::Surface,
+        varied: params.method == Method::Stripes && params.variety > 0.0,
         frames: if params.face_frame == FaceFrameForm::Vertex { cpu::Frames::Here } else { cpu::Frames::Fetched },
     }
 }
@@ -89,7 +90,7 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         _ => params.tiles_per_unit,
     } as f32;
     // Patches are stored in tiles already.
-    let in_tiles = if params.mapping.takes_surface() { 1.0 } else { scale };
+    let in_tiles = if params.needed_mapping().is_some_and(Mapping::takes_surface) { 1.0 } else { scale };
     let mut tones = [[0.0; 4]; 17];
     for (k, tone) in drawn.tones.iter().enumerate() {
         tones.as_flattened_mut()[k + 1] = *tone as f32;
@@ -112,6 +113,10 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         line_period_px: params.line_period_px as f32,
         distribution_entries: drawn.distribution.first().map_or(0, Vec::len) as f32,
         cross_from: params.cross_from.unwrap_or(1.0) as f32,
+        variety: params.variety as f32,
+        _pad_a: 0.0,
+        _pad_b: 0.0,
+        _pad_c: 0.0,
         tones,
     }
 }
@@ -139,7 +144,8 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let entries = patches.map_or(Vec::new(), Patches::packed);
     let starts = patches.map_or(Vec::new(), Patches::packed_starts);
     let (starts, seeds) = starts.split_at(starts.len() - entries.len());
-    let patches = PatchTable { starts, entries: &entries, seeds, turns: &[] };
+    let rows = patches.map_or(&[][..], |patches| &patches.rows);
+    let patches = PatchTable { starts, entries: &entries, rows, seeds, turns: &[] };
     let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
     let stripes = stripes
         .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });
@@ -210,7 +216,8 @@ fn ways(mesh: &Mesh) -> Vec<RenderParams> {
         for form in [Form::Hardened, Form::Literal] {
             let base = RenderParams { method, form, silhouettes: None, ..RenderParams::default() };
             match method {
-                Method::Phong | Method::Stripes => ways.push(base),
+                Method::Phong => ways.push(base),
+                Method::Stripes => ways.extend([0.0, 0.7].map(|variety| RenderParams { variety, ..base })),
                 Method::FaceFrame => {
                     ways.push(base);
                     ways.push(RenderParams { face_frame: FaceFrameForm::Vertex, ..base });

@@ -169,8 +169,8 @@ fn compare_draws_a_sheet_with_ratios() {
     let run = ok(folder.path(), &small("compare", &["--rounds", "5", "--json"]));
     let json = run.json();
     let methods = json["methods"].as_array().expect("a list");
-    // phong, face-frame, and four methods with three mappings: the knot has uv.
-    assert_eq!(methods.len(), 14, "{json}");
+    // phong, face-frame, stripes, and four methods with four mappings: the knot has uv.
+    assert_eq!(methods.len(), 19, "{json}");
     assert!(methods.iter().all(|method| method["ratio_to_phong"].as_f64().is_some_and(|ratio| ratio > 0.0)), "{json}");
     assert_eq!(methods[0]["ratio_to_phong"], 1.0);
     drawn(&folder.path().join("compare.png"));

@@ -60,7 +60,8 @@ impl Renderer {
             });
             let materials =
                 prepared.maps.iter().enumerate().map(|(part, map)| (Self::material_offset(part), &map.group));
-            Shading::record(&mut pass, pipeline, scene_group, mesh, params.mapping, &prepared.variant, materials);
+            let mapping = params.needed_mapping().unwrap_or(params.mapping);
+            Shading::record(&mut pass, pipeline, scene_group, mesh, mapping, &prepared.variant, materials);
             if let Some(line_pipeline) = line_pipeline {
                 Lines::record(&mut pass, line_pipeline, scene_group, mesh);
             }

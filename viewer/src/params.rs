@@ -185,8 +185,21 @@ pub struct RenderParams {
     pub line_period_px: f64,
     /// Darkness above which stripes are crossed by others, 0..=1; `None`: never.
     pub cross_from: Option<f64>,
+    /// How much the strokes of stripes differ, 0..=1: 0 are plain lines; above, lines swell and waver, and then break
+    /// into strokes with tapered ends. The surface must have patches that follow it.
+    pub variety: f64,
     /// Lines over the strokes.
     pub silhouettes: Option<Silhouettes>,
+}
+
+impl RenderParams {
+    /// The mapping whose patches a frame needs: that of its strokes, also where these make up stripes.
+    pub fn needed_mapping(&self) -> Option<Mapping> {
+        match self.method {
+            Method::Stripes => (self.variety > 0.0).then_some(Mapping::Patches),
+            method => method.takes_mapping().then_some(self.mapping),
+        }
+    }
 }
 
 impl Default for RenderParams {
@@ -203,6 +216,7 @@ impl Default for RenderParams {
             slope: 6.0,
             line_period_px: 6.0,
             cross_from: Some(0.55),
+            variety: 0.0,
             silhouettes: Some(Silhouettes::default()),
         }
     }

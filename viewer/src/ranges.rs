@@ -57,6 +57,8 @@ pub const TILES_PER_UNIT: Range = Range::new(0.01, 100.0, "tiles per unit");
 pub const SCALE: Range = Range::new(0.01, 100.0, "");
 /// Stripes per unit at their coarsest.
 pub const LINES_PER_UNIT: Range = Range::new(0.25, 64.0, "lines per unit");
+/// How much the strokes of stripes differ.
+pub const VARIETY: Range = Range::new(0.0, 1.0, "");
 /// How far directions spread.
 pub const SMOOTHING: Range = Range::new(0.1, 10.0, "");
 /// Shift of the tile.

@@ -163,6 +163,9 @@ impl Renderer {
         if params.method == Method::Stripes && !mesh.surface.has_stripes() {
             return Err(RenderError::NoSurface(params.method.name()));
         }
+        if params.method == Method::Stripes && params.variety > 0.0 && !mesh.surface.has_rows() {
+            return Err(RenderError::NoSurface("stripes and patches"));
+        }
         let variant = variant(params);
         let shared = scene.shared(size_px, mesh.radius());
         self.gpu.queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&shared));
@@ -221,7 +224,7 @@ fn material_of(
 ) -> types::Material {
     let tile_scale = material.scale * tiles_per_surface_unit(params, mesh);
     // Patches are stored in tiles already, those for which they were made.
-    let made_for = mesh.surface.tiles_per_unit(params.mapping).filter(|_| params.method.takes_mapping());
+    let made_for = params.needed_mapping().and_then(|mapping| mesh.surface.tiles_per_unit(mapping));
     let scale = tile_scale / made_for.unwrap_or(1.0);
     let (sin, cos) = material.rotation_deg.to_radians().sin_cos();
     let mut tones = [[0.0; 4]; 17];
@@ -246,6 +249,10 @@ fn material_of(
         line_period_px: params.line_period_px as f32,
         distribution_entries: if kind == MapKind::Strokes { map.distribution_entries as f32 } else { 0.0 },
         cross_from: params.cross_from.filter(|_| mesh.surface.has_crossing_stripes()).unwrap_or(1.0) as f32,
+        variety: params.variety as f32,
+        _pad_a: 0.0,
+        _pad_b: 0.0,
+        _pad_c: 0.0,
         tones,
     }
 }

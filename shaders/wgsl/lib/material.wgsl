@@ -29,6 +29,11 @@ struct Material {
     distribution_entries: f32,
     // Darkness above which stripes are crossed by others; 1: never.
     cross_from: f32,
+    // How much the strokes of stripes differ, 0..=1.
+    variety: f32,
+    _pad_a: f32,
+    _pad_b: f32,
+    _pad_c: f32,
     // Tones of the columns behind the implicit white, four to a vector, increasing.
     tones: array<vec4f, 17>,
 }

@@ -13,7 +13,7 @@ struct PatchEntry {
     shares: u32,
 }
 
-// Per face its first entry, then the number of entries, then per entry its seed.
+// Per face its first entry, then the number of entries, then per entry its rows where there are stripes, then its seed.
 @group(3) @binding(0) var<storage, read> patch_starts: array<u32>;
 @group(3) @binding(1) var<storage, read> patch_entries: array<PatchEntry>;
 // TURNS texels per seed: place of the seed on the tile, angle, share.
@@ -52,6 +52,10 @@ fn patch_place(places: vec3u, corners: vec3f) -> vec2f {
     return PLACE_RANGE * place;
 }
 
+fn entry_seed(entry: u32) -> u32 {
+    return patch_starts[arrayLength(&patch_starts) - arrayLength(&patch_entries) + entry];
+}
+
 // How an entry's patch lies on the tile, in one of the copies that are drawn of it: two at the quantised angles on
 // both sides of the wanted one, and one along the fixed direction where the light gives none.
 fn entry_turn(entry: u32, copy: u32) -> vec4f {
@@ -59,7 +63,7 @@ fn entry_turn(entry: u32, copy: u32) -> vec4f {
     if FOLLOW == FOLLOW_SURFACE {
         return alone;
     }
-    let seed = patch_starts[arrayLength(&patch_starts) - arrayLength(&patch_entries) + entry];
+    let seed = entry_seed(entry);
     if seed == NO_SEED {
         return alone;
     }

@@ -144,7 +144,7 @@ impl Row {
         let call = self.call;
         let with = |name: &str, helper: &'static str| if pass.contains(name) { helper } else { "" };
         let helper = format!("{}{}", with("struct Point {", POINT), with("struct Pattern {", PATTERN));
-        let helper = helper + with("struct StripePhases {", STRIPE);
+        let helper = helper + with("struct StripePhases {", STRIPE) + with("struct Stroke {", STROKE);
         format!(
             "{pass}{HARNESS}{helper}@fragment\nfn harness(@builtin(position) place: vec4f) -> @location(0) vec4f {{\n\
             let at = u32(place.y) * {SIDE}u + u32(place.x);\n\
@@ -174,6 +174,13 @@ fn case_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
 const STRIPE: &str = "
 fn stripe(d: vec4f) -> StripePhases {
     return StripePhases(d.xyz, i32(d.w));
+}
+";
+
+/// A stroke as one vector.
+const STROKE: &str = "
+fn stroked(s: Stroke) -> vec4f {
+    return vec4f(s.swell, s.waver, 0.0, 0.0);
 }
 ";
 

@@ -145,8 +145,9 @@ impl Setting {
         let face_frames: Vec<_> = (0..FACES).map(frame).collect();
         let patch_starts: Vec<u32> = (0..=FACES as u32).map(|face| face * (face + 7) / 16).collect();
         let entries = patch_starts[FACES] as usize;
+        let rows = (0..entries).map(|i| patch_rows(draw(i)));
         let patch_starts: Vec<u32> =
-            patch_starts.into_iter().chain((0..entries).map(|i| patch_seed(draw(i)))).collect();
+            patch_starts.into_iter().chain(rows).chain((0..entries).map(|i| patch_seed(draw(i)))).collect();
         let patch_entries = (0..entries).map(|i| patch_entry(draw(i))).collect();
         let turn = |i: usize| -> [f32; 4] {
             let (uv, draw) = (draw(i).tile(1092, 1.0), draw(i));
@@ -210,7 +211,8 @@ impl Setting {
             patches: PatchTable {
                 starts: &self.patch_starts,
                 entries: &self.patch_entries,
-                seeds: &self.patch_starts[FACES + 1..],
+                rows: &self.patch_starts[FACES + 1..],
+                seeds: &self.patch_starts[FACES + 1 + self.patch_entries.len()..],
                 turns: &self.twin.seed_turns,
             },
         }
@@ -220,6 +222,12 @@ impl Setting {
 /// A seed, or none.
 fn patch_seed(draw: Draw) -> u32 {
     if draw.pick(1090, 8) == 0 { u32::MAX } else { draw.pick(1091, SEEDS) as u32 }
+}
+
+/// Two rows, each with a sign and a number of up to 100.
+fn patch_rows(draw: Draw) -> u32 {
+    let half = |slot: u64| ((draw.pick(slot, 400) as i32 - 200) & 0xffff) as u32;
+    half(1096) | half(1097) << 16
 }
 
 /// A patch anywhere on the tile; a third of them the nearest at one corner.
@@ -294,6 +302,10 @@ fn material(tones: &[f32]) -> types::Material {
         line_period_px: 5.0,
         distribution_entries: 9.0,
         cross_from: 0.4,
+        variety: 0.7,
+        _pad_a: 0.0,
+        _pad_b: 0.0,
+        _pad_c: 0.0,
         tones: all,
     }
 }

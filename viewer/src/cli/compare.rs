@@ -18,6 +18,9 @@ use super::view::{ViewArgs, method};
 /// Rounds before those that count: pipelines are made, maps uploaded, clocks raised.
 const WARM_UP: u32 = 2;
 
+/// Mappings that are compared where none is asked for: lapped patches are a baseline that takes seconds to make.
+const MAPPINGS: [Mapping; 4] = [Mapping::Uv, Mapping::Frames, Mapping::Triplanar, Mapping::Patches];
+
 const EXAMPLES: &str = "\
 Examples:
   tam-viewer compare                                        every method and mapping, with what a frame costs
@@ -64,7 +67,8 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     check_png(&args.out)?;
     files::check_free(&args.out, args.force)?;
     let mut methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
-    let mut stage = Stage::open(&args.view, &methods, Some(&Mapping::ALL), args.size, args.samples, true, output)?;
+    let mappings = (!args.view.mapping_given()).then_some(&MAPPINGS[..]);
+    let mut stage = Stage::open(&args.view, &methods, mappings, args.size, args.samples, true, output)?;
     if args.methods.is_empty() && stage.maps.iter().any(|map| map.source.stroke_map.is_none()) {
         methods.retain(|method| *method != Method::StrokeMap);
         output.remark("note: stroke-map is left out: the map has no stroke map");
@@ -130,7 +134,7 @@ fn variants(args: &CompareArgs, methods: &[Method], mesh: &Mesh) -> Vec<RenderPa
     let mappings: Vec<Mapping> = if args.view.mapping_given() {
         vec![given.mapping]
     } else {
-        Mapping::ALL.into_iter().filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect()
+        MAPPINGS.into_iter().filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect()
     };
     let mut variants = vec![given];
     let forms = if args.forms { vec![Form::Hardened, Form::Literal] } else { vec![given.form] };

@@ -67,11 +67,11 @@ impl Stage {
         }
         let mut scene = view.scene(&loaded.mesh, colours, &numbers)?;
         place_camera(&mut scene, view, &loaded.mesh.positions, size);
-        let tiles_per_unit = view.params(Method::Phong, &loaded.mesh, size).tiles_per_unit;
-        let own = [view.mapping(&loaded.mesh)];
+        let params = view.params(Method::Phong, &loaded.mesh, size);
+        let own = [params.mapping];
         let mapped = methods.iter().any(|method| method.takes_mapping());
         let mappings = if mapped { mappings.unwrap_or(&own) } else { &[] };
-        let surface = view.surface.build(&loaded.mesh, &scene, methods, mappings, tiles_per_unit, output)?;
+        let surface = view.surface.build(&loaded.mesh, &scene, methods, mappings, &params, output)?;
         let surface = surface.map(|(mesh, surface)| {
             loaded.mesh = mesh;
             surface

@@ -7,13 +7,12 @@ use glam::DVec3;
 use tam_gen::Job;
 use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::mesh::Mesh;
+use tam_viewer::surface::store::StoreError;
 use tam_viewer::surface::{
     FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
     store,
 };
-use tam_viewer::{Follow, LightKind, Mapping, Method, Scene, ranges};
-
-use tam_viewer::surface::store::StoreError;
+use tam_viewer::{Follow, LightKind, Mapping, Method, RenderParams, Scene, ranges};
 
 use super::{parse, report};
 
@@ -120,10 +119,18 @@ impl SurfaceArgs {
         scene: &Scene,
         methods: &[Method],
         mappings: &[Mapping],
-        tiles_per_unit: f64,
+        params: &RenderParams,
         output: &Output,
     ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        let patches = mappings.contains(&Mapping::Patches).then(|| PatchOptions {
+        let tiles_per_unit = params.tiles_per_unit;
+        let varied = methods.contains(&Method::Stripes) && params.variety > 0.0;
+        if varied && self.follow() == Follow::Light {
+            return Err(Failure::usage(
+                "--follow light: the strokes of stripes cannot turn",
+                "leave it out, or draw plain lines with --variety 0",
+            ));
+        }
+        let patches = (varied || mappings.contains(&Mapping::Patches)).then(|| PatchOptions {
             tiles_per_unit,
             follow: self.follow(),
             planar: self.planar,

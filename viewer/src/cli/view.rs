@@ -76,6 +76,9 @@ pub(super) struct ViewArgs {
     /// Darkness above which stripes are crossed by others, or none [default: 0.55]
     #[arg(long, value_name = "DARKNESS|none", value_parser = parse::or_none(ranges::SHARE), allow_hyphen_values = true, help_heading = "How it is hatched")]
     cross: Option<OrNone>,
+    /// How much the strokes of stripes differ: 0 for plain lines, up to 1 for a lively burin
+    #[arg(long, value_name = "SHARE", value_parser = parse::in_range(ranges::VARIETY), default_value = "0", allow_hyphen_values = true, help_heading = "How it is hatched")]
+    pub(super) variety: f64,
     /// Width of contours, borders and creases, or none [default: 2 in a picture of 1024 px]
     #[arg(long, value_name = "PX|none", value_parser = parse::or_none(ranges::LINE_WIDTH_PX), allow_hyphen_values = true, help_heading = "How it is hatched")]
     lines: Option<OrNone>,
@@ -211,6 +214,7 @@ impl ViewArgs {
             slope: self.slope.unwrap_or(default.slope),
             line_period_px: self.line_period.unwrap_or(default.line_period_px),
             cross_from: self.cross.map_or(default.cross_from, |cross| cross.0),
+            variety: self.variety,
             silhouettes: width_px.map(|width_px| Silhouettes { width_px, crease_deg, ..lines }),
             ..default
         }

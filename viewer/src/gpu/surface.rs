@@ -20,6 +20,8 @@ pub(crate) struct SurfaceBuffers {
 struct PatchBuffers {
     group: wgpu::BindGroup,
     tiles_per_unit: f64,
+    /// Whether rows of stripes are known on them.
+    has_rows: bool,
     /// Those that turn with the light, and the texture that says how.
     turning: Option<(Turns, wgpu::Texture)>,
     bytes: u64,
@@ -97,6 +99,11 @@ impl SurfaceBuffers {
         self.stripes.some[0]
     }
 
+    /// Whether lines can be made of strokes: on patches that lie along them.
+    pub(crate) fn has_rows(&self) -> bool {
+        self.patches.as_ref().is_some_and(|patches| patches.has_rows && patches.turning.is_none())
+    }
+
     /// Whether there are lines across it.
     pub(crate) fn has_crossing_stripes(&self) -> bool {
         self.stripes.some[1]
@@ -125,6 +132,7 @@ impl PatchBuffers {
             group: group(gpu, layouts, bytemuck::cast_slice(&starts), bytemuck::cast_slice(&entries), &table, stripes),
             turning: turning.map(|turns| (turns, table)),
             tiles_per_unit: patches.tiles_per_unit,
+            has_rows: !patches.rows.is_empty(),
             bytes: patches.bytes(),
         })
     }

@@ -9,5 +9,6 @@ use crate::params::RenderParams;
 
 /// Stripes need no map; the columns are bound in its place.
 pub(super) fn variant(params: &RenderParams) -> Variant {
-    Variant::new(Pass::Stripes, MapKind::Columns).with("FORM", form_constant(params.form))
+    let plain = Variant::new(Pass::Stripes, MapKind::Columns).with("FORM", form_constant(params.form));
+    plain.with("VARIED", u32::from(params.variety > 0.0))
 }

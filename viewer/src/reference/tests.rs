@@ -79,6 +79,10 @@ fn material(tones: &[f64], size: u32, levels: usize, distribution_entries: usize
         line_period_px: 6.0,
         distribution_entries: distribution_entries as f32,
         cross_from: 1.0,
+        variety: 0.0,
+        _pad_a: 0.0,
+        _pad_b: 0.0,
+        _pad_c: 0.0,
         tones: all,
     }
 }

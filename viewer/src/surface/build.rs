@@ -8,6 +8,7 @@ use super::graph::Graph;
 use super::lapped::{LappedOptions, lapped};
 use super::patches::{PatchOptions, Patches, patches};
 use super::solve::SolveError;
+use super::stripes::rows::rows;
 use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
 use crate::mesh::Mesh;
 
@@ -80,11 +81,14 @@ impl Surface {
         step(0.1)?;
         let field = field(&graph, mesh, &curvatures, &options.field)?;
         step(0.3)?;
-        let patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
+        let mut patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
         step(0.6)?;
         let lapped = options.lapped.map(|options| lapped(&graph, &field, &options)).transpose()?;
         step(0.8)?;
         let stripes = options.stripes.map(|options| stripes(&graph, &field, &options)).transpose()?;
+        if let (Some(patches), Some(stripes)) = (&mut patches, &stripes) {
+            patches.rows = rows(&graph, &mesh.neighbours, patches, stripes);
+        }
         step(1.0)?;
         Ok(Self { graph, curvatures, field, patches, lapped, stripes })
     }

@@ -60,6 +60,8 @@ struct StoredPatches {
     entry_seeds: Vec<u32>,
     /// Four numbers an entry.
     entries: Vec<u32>,
+    /// Of each entry its rows; empty without stripes.
+    rows: Vec<u32>,
     tiles_per_unit: f64,
     follow: Follow,
     lapped: bool,
@@ -164,6 +166,7 @@ impl StoredPatches {
             starts: patches.starts.clone(),
             entry_seeds: patches.entries.iter().map(|entry| entry.seed).collect(),
             entries: bytemuck::cast_slice(&patches.packed()).to_vec(),
+            rows: patches.rows.clone(),
             tiles_per_unit: patches.tiles_per_unit,
             follow: patches.follow,
             lapped: patches.lapped,
@@ -177,7 +180,8 @@ impl StoredPatches {
             pair[1].checked_sub(pair[0]).is_some_and(|entries| (1..=MAX_ENTRIES as u32).contains(&entries))
         });
         let seeds = self.entry_seeds.iter().all(|seed| *seed == u32::MAX || (*seed as usize) < self.seeds.len());
-        let lengths = self.starts.len() == faces + 1 && self.entries.len() == 4 * count;
+        let lengths =
+            self.starts.len() == faces + 1 && self.entries.len() == 4 * count && [0, count].contains(&self.rows.len());
         if !(ends && steps && seeds && lengths && self.tiles_per_unit > 0.0) {
             return Err(StoreError::Damaged);
         }
@@ -189,6 +193,7 @@ impl StoredPatches {
         };
         Ok(Patches {
             entries: self.entry_seeds.iter().zip(self.entries.chunks_exact(4)).map(entry).collect(),
+            rows: self.rows,
             seeds: self.seeds,
             starts: self.starts,
             tiles_per_unit: self.tiles_per_unit,

@@ -26,6 +26,7 @@ pub struct Material {
     pub line_period_px: f64,
     pub distribution_entries: f64,
     pub cross_from: f64,
+    pub variety: f64,
     pub tones: Vec<f64>,
 }
 
@@ -49,6 +50,7 @@ impl From<&types::Material> for Material {
             line_period_px: material.line_period_px.into(),
             distribution_entries: material.distribution_entries.into(),
             cross_from: material.cross_from.into(),
+            variety: material.variety.into(),
             tones: material.tones.as_flattened().iter().map(|tone| f64::from(*tone)).collect(),
         }
     }

@@ -17,5 +17,6 @@ pub mod octahedral;
 pub mod patches;
 pub mod scene;
 pub mod stripes;
+pub mod strokes;
 pub mod surface;
 pub mod threshold;

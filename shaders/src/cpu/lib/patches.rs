@@ -24,6 +24,8 @@ pub struct PatchTable<'a> {
     pub starts: &'a [u32],
     /// By face.
     pub entries: &'a [PatchEntry],
+    /// Per entry its rows; empty where there are no stripes.
+    pub rows: &'a [u32],
     /// Per entry its seed.
     pub seeds: &'a [u32],
     /// [`TURNS`] per seed: place of the seed on the tile, angle, share.
@@ -71,11 +73,16 @@ pub fn patch_place(places: [u32; 3], corners: DVec3) -> DVec2 {
     PLACE_RANGE * place
 }
 
+/// The seed of an entry; [`NO_SEED`] where none is known.
+pub fn entry_seed(table: PatchTable<'_>, entry: usize) -> u32 {
+    table.seeds.get(entry).copied().unwrap_or(NO_SEED)
+}
+
 /// How an entry's patch lies on the tile, in one of the copies that are drawn of it.
 pub fn entry_turn(follow: Follow, table: PatchTable<'_>, entry: usize, copy: usize) -> DVec4 {
     let alone = DVec4::new(0.0, 0.0, 0.0, if copy == 0 { 1.0 } else { 0.0 });
-    match table.seeds.get(entry) {
-        Some(&seed) if follow == Follow::Light && seed != NO_SEED => table.turns[seed as usize * TURNS + copy],
+    match entry_seed(table, entry) {
+        seed if follow == Follow::Light && seed != NO_SEED => table.turns[seed as usize * TURNS + copy],
         _ => alone,
     }
 }

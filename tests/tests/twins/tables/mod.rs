@@ -6,6 +6,7 @@ mod lines;
 mod maps;
 mod patches;
 mod stripes;
+mod strokes;
 mod surface;
 
 use glam::{DVec2, DVec3, DVec4};
@@ -17,7 +18,7 @@ use crate::row::Row;
 /// All rows.
 pub(crate) fn all() -> Vec<Row> {
     let tables = [light::rows(), maps::rows(), patches::rows(), stripes::rows(), frames::rows(), surface::rows()];
-    tables.into_iter().flatten().chain(lines::rows()).collect()
+    tables.into_iter().flatten().chain(lines::rows()).chain(strokes::rows()).collect()
 }
 
 /// A surface point: place and depth, normal, view, uv and face.

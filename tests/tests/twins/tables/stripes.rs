@@ -7,7 +7,7 @@ use tam_shaders::cpu::lib::stripes::{
     crossed_darkness, doubled_ink, nearest_side, round_share, round_slope, side_weights, stripe_phase, stripe_slope,
     unfolded_corners, windings,
 };
-use tam_shaders::cpu::stripes::{Place, crossed_ink, place_in_face, stripes_ink};
+use tam_shaders::cpu::stripes::{ALONG, Place, crossed_ink, place_in_face, stripes_ink};
 use tam_shaders::types::StripePhases;
 
 use super::{any_point, one, three, two};
@@ -89,10 +89,10 @@ fn ink_rows() -> Vec<Row> {
         row(
             "stripes_ink",
             Pass::Stripes,
-            "vec4f(stripes_ink(stripe(d), Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)",
+            "vec4f(stripes_ink(patches_at(0u, a.xyz), ALONG, stripe(d), Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)",
             places,
         )
-        .twin(|b, case| one(stripes_ink(b.material, &stripe(case), &at(case), case[0].w)))
+        .twin(|b, case| one(stripes_ink(b, None, ALONG, &stripe(case), &at(case), case[0].w)))
         .except_where(|_, case| in_the_middle(case))
         .within(500.0 * 10.0 * 128.0 * U, 0.0),
         row(

@@ -53,7 +53,7 @@ pub(super) fn flatten(
             }
         }
     }
-    if !(trace > 0.0) {
+    if trace.is_nan() || trace <= 0.0 {
         return Ok(());
     }
     let hold = HOLD * trace / places.len() as f64;

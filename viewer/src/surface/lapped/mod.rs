@@ -70,6 +70,7 @@ pub fn lapped(graph: &Graph, field: &Field, options: &LappedOptions) -> Result<P
         seeds,
         starts,
         entries,
+        rows: Vec::new(),
         tiles_per_unit: options.tiles_per_unit,
         follow: Follow::Surface,
         lapped: true,

@@ -107,6 +107,7 @@ pub(super) fn gather(
         seeds: patches.iter().map(|(seed, _)| *seed).collect(),
         starts: Vec::with_capacity(lists.len() + 1),
         entries: Vec::with_capacity(lists.iter().map(Vec::len).sum()),
+        rows: Vec::new(),
         tiles_per_unit: options.tiles_per_unit,
         follow: options.follow,
         lapped: false,

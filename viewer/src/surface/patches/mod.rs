@@ -92,6 +92,9 @@ pub struct Patches {
     pub starts: Vec<u32>,
     /// What each triangle sees of its patches, by triangle; 1..=[`MAX_ENTRIES`] each.
     pub entries: Vec<Entry>,
+    /// Per entry, how the stripes' phases in the triangle become those of the patch: 16 bits for the lines along, 16
+    /// for those across, each a sign (lowest bit) and a number. Empty where there are no stripes.
+    pub rows: Vec<u32>,
     /// Repeats of the tile per unit for which they were made.
     pub tiles_per_unit: f64,
     /// What they follow.
@@ -111,14 +114,17 @@ impl Patches {
         self.entries.par_iter().map(|entry| entry.packed(self.lapped)).collect()
     }
 
-    /// Starts and seeds, as the shaders read them: per face its first entry, their number, and per entry its seed.
+    /// Starts, rows and seeds, as the shaders read them: per face its first entry, their number, per entry its rows,
+    /// and per entry its seed.
     pub fn packed_starts(&self) -> Vec<u32> {
-        self.starts.iter().copied().chain(self.entries.iter().map(|entry| entry.seed)).collect()
+        let seeds = self.entries.iter().map(|entry| entry.seed);
+        self.starts.iter().chain(&self.rows).copied().chain(seeds).collect()
     }
 
     /// Bytes of starts and entries on the GPU.
     pub fn bytes(&self) -> u64 {
-        4 * (self.starts.len() + self.entries.len()) as u64 + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
+        4 * (self.starts.len() + self.rows.len() + self.entries.len()) as u64
+            + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
     }
 }
 

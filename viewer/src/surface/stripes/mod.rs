@@ -15,6 +15,7 @@
 mod clusters;
 mod growth;
 mod phases;
+pub(crate) mod rows;
 mod settle;
 mod spacing;
 mod wave;
