@@ -71,9 +71,10 @@ pub(super) fn run(args: &FieldArgs, output: &Output) -> Result<(), Failure> {
         Some(distance) => scene.camera.distance = distance,
         None => frame_mesh(&mut scene, &mesh.positions, size),
     }
-    let tiles = args.tiles.unwrap_or(RenderParams::default().tiles_per_unit);
+    let default = RenderParams::default();
+    let params = RenderParams { tiles_per_unit: args.tiles.unwrap_or(default.tiles_per_unit), ..default };
     let making = Instant::now();
-    let built = args.surface.build(&mesh, &scene, &[Method::FineTone], &[Mapping::Patches], tiles, output)?;
+    let built = args.surface.build(&mesh, &scene, &[Method::FineTone], &[Mapping::Patches], &params, output)?;
     let Some((fine, surface)) = built else { return Ok(()) };
     let made = making.elapsed();
     interrupt::stop_if_happened()?;
