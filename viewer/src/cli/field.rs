@@ -60,8 +60,8 @@ pub(super) fn run(args: &FieldArgs, output: &Output) -> Result<(), Failure> {
     interrupt::catch();
     let mesh = source::mesh(&args.mesh, args.triangles)?.mesh;
     let mut scene = Scene::of(&mesh);
-    if let Some(light) = &args.light {
-        scene.lights.lights = vec![light.clone()];
+    if let Some(light) = args.light {
+        scene.lights.lights = vec![light];
     }
     let size = [args.side; 2];
     if let Some(Orbit { azimuth_deg, elevation_deg, .. }) = args.camera {
