@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::{DVec3, dvec3};
 use tam_gen::sequence::Draw;
-use tam_tests::gpu::{Stage, difference, mappings, nan_count, renderer_with, surface_options};
+use tam_tests::gpu::{Stage, difference, mappings, nan_count, renderer_with, surface_for, surface_options};
 use tam_viewer::gpu::{GpuOptions, PixelFormat};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, NONE, prepare};
@@ -87,7 +87,7 @@ fn a_frame_is_the_same_twice() {
         let picture = || {
             let mut stage = Stage::new("pencil", 96);
             let (mesh, scene) = view(Sample::TorusKnot, 3000);
-            let mesh = stage.renderer.mesh(&mesh).expect("a mesh that fits");
+            let mesh = stage.upload(&params, &mesh, surface_for(&params, &mesh).as_ref());
             let target = stage.renderer.target([96, 96], 4, PixelFormat::Srgb8).expect("a target");
             stage.renderer.render(&scene, &params, &mesh, &[&stage.map], &target).expect("a frame");
             target.read(&stage.renderer.gpu).expect("pixels")

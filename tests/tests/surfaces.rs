@@ -170,10 +170,11 @@ fn strokes_stay_as_wide_under_zoom() {
     let mut stage = pen_stage(384);
     for method in [Method::FineTone, Method::StrokeMap] {
         let subject = subject(Sample::Hand, 8_000, method);
-        // Six steps through a factor of four: between two levels of detail and on them.
+        // Six steps through a factor of four, between levels of detail and on them; nearer than the finest level strokes
+        // grow.
         let samples: Vec<(f64, f64)> = (0..6)
             .map(|step| {
-                let zoom = 4.0_f64.powf(f64::from(step) / 5.0);
+                let zoom = 0.5 * 4.0_f64.powf(f64::from(step) / 5.0);
                 let mut scene = lit(&subject);
                 scene.lights = Lights { ambient: 0.85, lights: Vec::new() };
                 scene.camera.distance /= zoom;

@@ -155,7 +155,8 @@ fn a_mesh_file_is_drawn_and_what_was_mended_is_said() {
     let folder = tempdir().expect("a folder");
     let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.4\nf 1 2 3\nf 1 3 4\nf 1 1 2\n";
     fs::write(folder.path().join("sheet.obj"), obj).expect("a file");
-    let args = ["render", "--mesh", "./sheet.obj", "--size", "48", "--camera", "20,10"];
+    // As it is: for patches it would be cut.
+    let args = ["render", "--mesh", "./sheet.obj", "--size", "48", "--camera", "20,10", "--mapping", "triplanar"];
     let run = ok(folder.path(), &args);
     assert!(run.stderr.contains("note: ") && run.stderr.contains("mesh: sheet, 2 triangles"), "{run:?}");
     drawn(&folder.path().join("sheet.png"));

@@ -9,7 +9,7 @@
 //! apart as they are ever drawn.
 //!
 //! Knöppel, Crane, Pinkall and Schröder, "Stripe patterns on surfaces", 2015. Their lines stand evenly, so new ones
-//! must branch off wherever directions spread. Ours may stand closer where directions draw together ([`spacing`]),
+//! must branch off wherever directions spread. Ours may stand closer where directions draw together (`spacing.rs`),
 //! since drawing doubles them by their distance on the screen; few branches are left.
 
 mod clusters;
