@@ -4,8 +4,8 @@ use std::any::type_name;
 use std::mem::{offset_of, size_of};
 
 use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
-use tam_shaders::cpu::lib::{face_frame, patches, scene, threshold};
-use tam_shaders::cpu::{Blend, Form, Frames, Mapping, PatternKind, face_geometry, lines};
+use tam_shaders::cpu::lib::{face_frame, patches, scene, stripes, threshold};
+use tam_shaders::cpu::{Blend, Follow, Form, Frames, Mapping, PatternKind, face_geometry, lines};
 use tam_shaders::types::{
     Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
     Vertex,
@@ -222,6 +222,11 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("MAPPING_TRIPLANAR", Mapping::Triplanar as u32 as f64),
         ("MAPPING_PATCHES", Mapping::Patches as u32 as f64),
         ("MAPPING_LAPPED", Mapping::Lapped as u32 as f64),
+        ("FOLLOW", Follow::default() as u32 as f64),
+        ("FOLLOW_SURFACE", Follow::Surface as u32 as f64),
+        ("FOLLOW_LIGHT", Follow::Light as u32 as f64),
+        ("TURNS", patches::TURNS as f64),
+        ("NO_SEED", f64::from(patches::NO_SEED)),
         ("MAX_PATCHES", patches::MAX_PATCHES as f64),
         ("PLACE_RANGE", patches::PLACE_RANGE),
         ("BEHIND_RANGE", patches::BEHIND_RANGE),
@@ -236,6 +241,8 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("FRAMES_FETCHED", Frames::Fetched as u32 as f64),
         ("SINE_BAND", single(face_frame::SINE_BAND)),
         ("MAX_SLOPE", single(threshold::MAX_SLOPE)),
+        ("FADE_FROM", single(stripes::FADE_FROM)),
+        ("FADE_TO", single(stripes::FADE_TO)),
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
         ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use tam_gen::{Job, Preset};
-use tam_viewer::gpu::{Gpu, GpuMap, GpuOptions, PixelFormat};
+use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, GpuOptions, PixelFormat};
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::{Mesh, Placement, RawMesh, prepare};
 use tam_viewer::surface::{PatchOptions, StripeOptions, Surface, SurfaceOptions};
@@ -62,31 +62,54 @@ impl Stage {
     /// # Panics
     /// If it cannot be drawn.
     pub fn draw(&mut self, scene: &Scene, params: &RenderParams, mesh: &Mesh) -> Vec<[f32; 4]> {
-        let surface = surface_for(params, mesh);
+        let mesh = self.upload(params, mesh, surface_for(params, mesh).as_ref());
+        self.draw_uploaded(scene, params, &mesh)
+    }
+
+    /// A mesh on the GPU, with its surface.
+    ///
+    /// # Panics
+    /// If it does not fit.
+    pub fn upload(&self, params: &RenderParams, mesh: &Mesh, surface: Option<&Surface>) -> GpuMesh {
         let mut mesh = self.renderer.mesh(mesh).expect("a mesh that fits");
-        if let Some(surface) = &surface {
+        if let Some(surface) = surface.filter(|_| takes_surface(params)) {
             self.renderer.attach(&mut mesh, surface).expect("a surface that fits");
         }
+        mesh
+    }
+
+    /// The same as [`Stage::draw`], for many pictures of one mesh.
+    ///
+    /// # Panics
+    /// If it cannot be drawn.
+    pub fn draw_uploaded(&mut self, scene: &Scene, params: &RenderParams, mesh: &GpuMesh) -> Vec<[f32; 4]> {
         let target = self.renderer.target([self.size; 2], 1, PixelFormat::Linear32).expect("a picture that fits");
-        self.renderer.render(scene, params, &mesh, &[&self.map], &target).expect("a frame");
+        self.renderer.render(scene, params, mesh, &[&self.map], &target).expect("a frame");
         target.read(&self.renderer.gpu).expect("pixels").linear()
     }
 }
 
-/// The surface that a mapping draws with, as it is without options; `None` where it needs none. The mesh is not cut.
+/// What a surface needs for a way to draw, else as it is without options.
+pub fn surface_options(params: &RenderParams) -> SurfaceOptions {
+    let (tiles_per_unit, follow) = (params.tiles_per_unit, params.follow);
+    let patched = params.method.takes_mapping() && params.mapping.takes_surface();
+    SurfaceOptions {
+        patches: patched.then(|| PatchOptions { tiles_per_unit, follow, ..PatchOptions::default() }),
+        stripes: (params.method == Method::Stripes).then(StripeOptions::default),
+        ..SurfaceOptions::default()
+    }
+}
+
+/// The surface for a way to draw; `None` where it needs none. The mesh is not cut.
 ///
 /// # Panics
 /// If there is no field.
 pub fn surface_for(params: &RenderParams, mesh: &Mesh) -> Option<Surface> {
-    let patches = PatchOptions { tiles_per_unit: params.tiles_per_unit, ..PatchOptions::default() };
-    let patched = params.method.takes_mapping() && params.mapping.takes_surface();
-    let striped = params.method == Method::Stripes;
-    let options = SurfaceOptions {
-        patches: patched.then_some(patches),
-        stripes: striped.then(StripeOptions::default),
-        ..SurfaceOptions::default()
-    };
-    (patched || striped).then(|| Surface::new(mesh, &options).expect("a field"))
+    takes_surface(params).then(|| Surface::new(mesh, &surface_options(params)).expect("a field"))
+}
+
+fn takes_surface(params: &RenderParams) -> bool {
+    params.method == Method::Stripes || params.method.takes_mapping() && params.mapping.takes_surface()
 }
 
 /// The mappings that a mesh can be drawn with.

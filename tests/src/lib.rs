@@ -3,3 +3,4 @@
 pub mod adapter;
 pub mod command;
 pub mod gpu;
+pub mod measure;

@@ -76,6 +76,7 @@ fn options(params: &RenderParams) -> Options {
             tam_viewer::Blend::Linear => cpu::Blend::Linear,
         },
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
+        follow: cpu::Follow::Surface,
         frames: if params.face_frame == FaceFrameForm::Vertex { cpu::Frames::Here } else { cpu::Frames::Fetched },
     }
 }
@@ -136,7 +137,9 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let surface = surface_for(params, mesh);
     let patches = surface.as_ref().and_then(|surface| surface.patches.as_ref());
     let entries = patches.map_or(Vec::new(), Patches::packed);
-    let patches = PatchTable { starts: patches.map_or(&[], |patches| &patches.starts), entries: &entries };
+    let starts = patches.map_or(Vec::new(), Patches::packed_starts);
+    let (starts, seeds) = starts.split_at(starts.len() - entries.len());
+    let patches = PatchTable { starts, entries: &entries, seeds, turns: &[] };
     let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
     let stripes = stripes
         .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });

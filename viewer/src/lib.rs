@@ -14,6 +14,9 @@ pub mod scene;
 
 pub mod reference;
 
+pub mod inspect;
+pub mod measure;
+
 mod frame;
 pub mod gpu;
 mod passes;
@@ -23,7 +26,7 @@ mod timer;
 pub mod sheet;
 pub mod turntable;
 
-pub use params::{Blend, FaceFrameForm, Form, Mapping, Method, RenderParams, Silhouettes};
+pub use params::{Blend, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
 pub use renderer::{MAX_PARTS, RenderError, Renderer};
 pub use scene::{Camera, Light, LightKind, Lights, Material, Scene};
 pub use timer::FrameTimer;

@@ -118,6 +118,17 @@ pub enum Blend {
     Linear,
 }
 
+/// Which way the strokes of patches turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Follow {
+    /// Along the direction field, still on the surface.
+    #[default]
+    Surface,
+    /// Across the light, in quantised angles that pass into each other.
+    Light,
+}
+
 /// Where the frames of `face-frame` are made; kept to be measured against each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum FaceFrameForm {
@@ -160,6 +171,8 @@ pub struct RenderParams {
     pub form: Form,
     /// How overlapping patterns are joined.
     pub blend: Blend,
+    /// Which way patches turn; the surface must have been made for it.
+    pub follow: Follow,
     /// Where `face-frame` makes its frames.
     pub face_frame: FaceFrameForm,
     /// Repeats of the tile per world unit, > 0. Meshes are 2 units long.
@@ -183,6 +196,7 @@ impl Default for RenderParams {
             mapping: Mapping::Triplanar,
             form: Form::Hardened,
             blend: Blend::Union,
+            follow: Follow::Surface,
             face_frame: FaceFrameForm::Fetched,
             tiles_per_unit: 1.5,
             level_bias: 0.0,

@@ -9,7 +9,7 @@ use crate::gpu::{
 };
 use crate::maps::HatchMap;
 use crate::mesh::Mesh;
-use crate::params::{Mapping, Method, RenderParams};
+use crate::params::{Follow, Mapping, Method, RenderParams};
 use crate::passes::{Faces, Lines, Shading, Variant, variant};
 use crate::scene::{Material, Scene};
 use crate::surface::Surface;
@@ -58,6 +58,7 @@ pub struct Renderer {
     pub(crate) shading: Shading,
     pub(crate) lines: Lines,
     staging: Vec<u8>,
+    turns: Vec<[f32; 4]>,
 }
 
 /// What a frame needs beside its scene, found before anything is recorded.
@@ -92,6 +93,7 @@ impl Renderer {
             shading: Shading::default(),
             lines: Lines::new(&gpu, &layouts),
             staging: Vec::new(),
+            turns: Vec::new(),
             layouts,
             scene_buffer,
             scene_group,
@@ -154,12 +156,19 @@ impl Renderer {
         if mapped && params.mapping.takes_surface() && mesh.surface.tiles_per_unit(params.mapping).is_none() {
             return Err(RenderError::NoSurface(params.mapping.name()));
         }
+        let follows = mapped && params.mapping == Mapping::Patches && params.follow == Follow::Light;
+        if follows && mesh.surface.follow(params.mapping) != Some(Follow::Light) {
+            return Err(RenderError::NoSurface("light-following"));
+        }
         if params.method == Method::Stripes && !mesh.surface.has_stripes() {
             return Err(RenderError::NoSurface(params.method.name()));
         }
         let variant = variant(params);
         let shared = scene.shared(size_px, mesh.radius());
         self.gpu.queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&shared));
+        if follows {
+            mesh.surface.turn(&self.gpu, &shared, scene.world_from_mesh, &mut self.turns);
+        }
         let mut of_parts = Vec::with_capacity(mesh.parts.len());
         self.staging.clear();
         for (part, triangles) in mesh.parts.iter().enumerate() {

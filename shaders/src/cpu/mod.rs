@@ -24,7 +24,7 @@ pub mod stroke_map;
 
 pub use image::{MapImage, MapLevel};
 pub use lib::octahedral;
-pub use options::{Blend, Form, Frames, Mapping, Options, PatternKind};
+pub use options::{Blend, Follow, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
 use crate::types::StripePhases;

@@ -61,6 +61,17 @@ pub enum Frames {
     Fetched = 1,
 }
 
+/// What patches follow: `FOLLOW` of `lib/patches.wgsl`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum Follow {
+    /// They lie still on the surface.
+    #[default]
+    Surface = 0,
+    /// They turn about their seeds with the light.
+    Light = 1,
+}
+
 /// All constants of a pipeline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Options {
@@ -74,17 +85,20 @@ pub struct Options {
     pub pattern: PatternKind,
     /// Where the vertex stage has the frames from.
     pub frames: Frames,
+    /// What patches follow.
+    pub follow: Follow,
 }
 
 impl Options {
     /// Name and number of each constant, as WGSL knows them; a pass has some of them only.
-    pub fn constants(self) -> [(&'static str, f64); 5] {
+    pub fn constants(self) -> [(&'static str, f64); 6] {
         [
             ("FORM", f64::from(self.form as u32)),
             ("MAPPING", f64::from(self.mapping as u32)),
             ("BLEND", f64::from(self.blend as u32)),
             ("PATTERN", f64::from(self.pattern as u32)),
             ("FRAMES", f64::from(self.frames as u32)),
+            ("FOLLOW", f64::from(self.follow as u32)),
         ]
     }
 }

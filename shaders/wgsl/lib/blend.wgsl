@@ -38,13 +38,21 @@ fn patches_ink(face: u32, corners: vec3f, tiles_per_px: f32, d: f32) -> f32 {
     var sum = 0.0;
     var clear = 1.0;
     for (var i = 0u; i < patches.count; i++) {
-        let weight = patches.weights[i];
-        if weight > 0.0 {
-            let uv = patch_uv(patch_entries[patches.first + i].places, corners);
-            if BLEND == BLEND_LINEAR {
-                sum += weight * pattern_ink(uv, tiles_per_px, d);
-            } else {
-                clear *= 1.0 - pattern_ink(uv, tiles_per_px, union_darkness(d, weight));
+        if patches.weights[i] == 0.0 {
+            continue;
+        }
+        let entry = patches.first + i;
+        let place = patch_place(patch_entries[entry].places, corners);
+        for (var copy = 0u; copy < select(1u, TURNS, FOLLOW == FOLLOW_LIGHT); copy++) {
+            let turn = entry_turn(entry, copy);
+            let weight = patches.weights[i] * turn.w;
+            if weight > 0.0 {
+                let uv = turned_uv(place, turn);
+                if BLEND == BLEND_LINEAR {
+                    sum += weight * pattern_ink(uv, tiles_per_px, d);
+                } else {
+                    clear *= 1.0 - pattern_ink(uv, tiles_per_px, union_darkness(d, weight));
+                }
             }
         }
     }
@@ -60,7 +68,7 @@ fn lapped_ink(face: u32, corners: vec3f, tiles_per_px: f32, d: f32) -> f32 {
         let entry = patch_entries[first + i];
         let alpha = clamp(dot(unpack_tens(entry.shares), corners), 0.0, 1.0);
         if alpha > 0.0 {
-            ink = mix(ink, pattern_ink(patch_uv(entry.places, corners), tiles_per_px, d), alpha);
+            ink = mix(ink, pattern_ink(tile_uv(patch_place(entry.places, corners)), tiles_per_px, d), alpha);
         }
     }
     return ink;

@@ -13,8 +13,18 @@ struct PatchEntry {
     shares: u32,
 }
 
+// Per face its first entry, then the number of entries, then per entry its seed.
 @group(3) @binding(0) var<storage, read> patch_starts: array<u32>;
 @group(3) @binding(1) var<storage, read> patch_entries: array<PatchEntry>;
+// TURNS texels per seed: place of the seed on the tile, angle, share.
+@group(3) @binding(2) var seed_turns: texture_2d<f32>;
+
+// Whether patches lie still on the surface, or turn about their seeds with the light.
+const FOLLOW_SURFACE: u32 = 0u;
+const FOLLOW_LIGHT: u32 = 1u;
+override FOLLOW: u32 = 0u;
+const TURNS: u32 = 3u;
+const NO_SEED: u32 = 0xffffffffu;
 
 const MAPPING_PATCHES: u32 = 3u;
 const MAPPING_LAPPED: u32 = 4u;
@@ -36,10 +46,32 @@ fn unpack_tens(code: u32) -> vec3f {
     return vec3f(f32(code & 1023u), f32((code >> 10u) & 1023u), f32((code >> 20u) & 1023u)) / 1023.0;
 }
 
-fn patch_uv(places: vec3u, corners: vec3f) -> vec2f {
+fn patch_place(places: vec3u, corners: vec3f) -> vec2f {
     let place = corners.x * unpack2x16snorm(places.x) + corners.y * unpack2x16snorm(places.y)
         + corners.z * unpack2x16snorm(places.z);
-    return tile_uv(PLACE_RANGE * place);
+    return PLACE_RANGE * place;
+}
+
+// How an entry's patch lies on the tile, in one of the copies that are drawn of it: two at the quantised angles on
+// both sides of the wanted one, and one along the fixed direction where the light gives none.
+fn entry_turn(entry: u32, copy: u32) -> vec4f {
+    let alone = vec4f(0.0, 0.0, 0.0, select(0.0, 1.0, copy == 0u));
+    if FOLLOW == FOLLOW_SURFACE {
+        return alone;
+    }
+    let seed = patch_starts[arrayLength(&patch_starts) - arrayLength(&patch_entries) + entry];
+    if seed == NO_SEED {
+        return alone;
+    }
+    let texel = seed * TURNS + copy;
+    let width = textureDimensions(seed_turns).x;
+    return textureLoad(seed_turns, vec2u(texel % width, texel / width), 0);
+}
+
+fn turned_uv(place: vec2f, turn: vec4f) -> vec2f {
+    let c = cos(turn.z);
+    let s = sin(turn.z);
+    return tile_uv(turn.xy + vec2f(c * place.x - s * place.y, s * place.x + c * place.y));
 }
 
 fn patches_at(face: u32, corners: vec3f) -> Patches {

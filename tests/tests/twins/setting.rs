@@ -4,7 +4,7 @@ use glam::{DVec2, DVec4, Mat4, Vec3};
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
-use tam_shaders::cpu::lib::patches::{PatchTable, pack_place, pack_tens};
+use tam_shaders::cpu::lib::patches::{PatchTable, TURNS, pack_place, pack_tens};
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lines::LineStyle;
 use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
@@ -21,6 +21,8 @@ pub(crate) const TONES: [f32; 7] = [0.0, 0.15, 0.3, 0.45, 0.6, 0.8, 0.95];
 /// Faces of the mesh; all triples of its vertices.
 pub(crate) const FACES: usize = 64;
 const VERTICES: usize = 48;
+/// Seeds of the patches.
+const SEEDS: usize = 20;
 
 /// One scene with one object.
 pub(crate) struct Setting {
@@ -39,6 +41,7 @@ pub(crate) struct Setting {
     pub(crate) stripes: [Vec<types::StripePhases>; 2],
     pub(crate) patch_starts: Vec<u32>,
     pub(crate) patch_entries: Vec<types::PatchEntry>,
+    pub(crate) seed_turns: Vec<[f32; 4]>,
     pub(crate) map: MapImage,
     pub(crate) distribution: Vec<Vec<f32>>,
     pub(crate) twin: Twin,
@@ -54,6 +57,7 @@ pub(crate) struct Twin {
     face_normals: Vec<DVec4>,
     face_planes: Vec<DVec4>,
     face_frames: Vec<FaceFrame>,
+    seed_turns: Vec<DVec4>,
     distribution: Vec<Vec<f64>>,
 }
 
@@ -140,7 +144,15 @@ impl Setting {
         let face_planes: Vec<[f32; 4]> = (0..2 * FACES).map(plane).collect();
         let face_frames: Vec<_> = (0..FACES).map(frame).collect();
         let patch_starts: Vec<u32> = (0..=FACES as u32).map(|face| face * (face + 7) / 16).collect();
-        let patch_entries = (0..patch_starts[FACES] as usize).map(|i| patch_entry(draw(i))).collect();
+        let entries = patch_starts[FACES] as usize;
+        let patch_starts: Vec<u32> =
+            patch_starts.into_iter().chain((0..entries).map(|i| patch_seed(draw(i)))).collect();
+        let patch_entries = (0..entries).map(|i| patch_entry(draw(i))).collect();
+        let turn = |i: usize| -> [f32; 4] {
+            let (uv, draw) = (draw(i).tile(1092, 1.0), draw(i));
+            DVec4::new(uv.x, uv.y, draw.between(1094, -3.2, 3.2), draw.between(1095, 0.0, 0.5)).as_vec4().into()
+        };
+        let seed_turns: Vec<[f32; 4]> = (0..TURNS * SEEDS).map(turn).collect();
         let map = noise_map(seed, tones.len() - 1);
         let distribution = distribution(seed);
         let twin = Twin {
@@ -152,6 +164,7 @@ impl Setting {
             face_normals: face_normals.iter().map(|normal| DVec4::from(normal.map(f64::from))).collect(),
             face_planes: face_planes.iter().map(|plane| DVec4::from(plane.map(f64::from))).collect(),
             face_frames: face_frames.iter().map(FaceFrame::from).collect(),
+            seed_turns: seed_turns.iter().map(|turn| DVec4::from(turn.map(f64::from))).collect(),
             distribution: distribution.iter().map(|row| row.iter().map(|entry| f64::from(*entry)).collect()).collect(),
         };
         Self {
@@ -169,6 +182,7 @@ impl Setting {
             stripes: [0, FACES].map(|first| (first..first + FACES).map(stripe).collect()),
             patch_starts,
             patch_entries,
+            seed_turns,
             map,
             distribution,
             twin,
@@ -193,9 +207,19 @@ impl Setting {
             map: &self.map,
             distribution: &self.twin.distribution,
             stripes: StripeTable { along: &self.stripes[0], across: &self.stripes[1] },
-            patches: PatchTable { starts: &self.patch_starts, entries: &self.patch_entries },
+            patches: PatchTable {
+                starts: &self.patch_starts,
+                entries: &self.patch_entries,
+                seeds: &self.patch_starts[FACES + 1..],
+                turns: &self.twin.seed_turns,
+            },
         }
     }
+}
+
+/// A seed, or none.
+fn patch_seed(draw: Draw) -> u32 {
+    if draw.pick(1090, 8) == 0 { u32::MAX } else { draw.pick(1091, SEEDS) as u32 }
 }
 
 /// A patch anywhere on the tile; a third of them the nearest at one corner.
@@ -303,6 +327,7 @@ pub(crate) struct Uploaded {
     map: wgpu::TextureView,
     sampler: wgpu::Sampler,
     distribution: wgpu::TextureView,
+    seed_turns: wgpu::TextureView,
 }
 
 impl Uploaded {
@@ -347,6 +372,7 @@ impl Uploaded {
             map: map_view(gpu, &setting.map),
             sampler,
             distribution: table_view(gpu, &setting.distribution),
+            seed_turns: turns_view(gpu, &setting.seed_turns),
         }
     }
 
@@ -361,6 +387,7 @@ impl Uploaded {
             "map" => Some(wgpu::BindingResource::TextureView(&self.map)),
             "map_sampler" => Some(wgpu::BindingResource::Sampler(&self.sampler)),
             "distribution" => Some(wgpu::BindingResource::TextureView(&self.distribution)),
+            "seed_turns" => Some(wgpu::BindingResource::TextureView(&self.seed_turns)),
             _ => self.buffer(name).map(wgpu::Buffer::as_entire_binding),
         }
     }
@@ -402,5 +429,22 @@ fn table_view(gpu: &Gpu, rows: &[Vec<f32>]) -> wgpu::TextureView {
     let entries: Vec<f32> = rows.concat();
     let order = wgpu::util::TextureDataOrder::LayerMajor;
     let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, bytemuck::cast_slice(&entries));
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+/// Turns in rows of 15.
+fn turns_view(gpu: &Gpu, turns: &[[f32; 4]]) -> wgpu::TextureView {
+    let descriptor = wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width: 15, height: turns.len() as u32 / 15, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba32Float,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    };
+    let order = wgpu::util::TextureDataOrder::LayerMajor;
+    let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, bytemuck::cast_slice(turns));
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }

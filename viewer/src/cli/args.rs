@@ -47,6 +47,8 @@ pub(super) enum Command {
     Compare(Box<super::compare::CompareArgs>),
     /// Draw frames of a moving camera, light or mesh
     Turntable(Box<super::turntable::TurntableArgs>),
+    /// Draw the direction field and the patches of a mesh, to inspect them
+    Field(Box<super::field::FieldArgs>),
     /// List the sample meshes, or draw them all
     Meshes(super::meshes::MeshesArgs),
     /// List the graphics adapters

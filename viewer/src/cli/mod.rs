@@ -3,6 +3,7 @@
 mod adapters;
 mod args;
 mod compare;
+mod field;
 mod meshes;
 mod object;
 mod parse;
@@ -47,6 +48,7 @@ fn dispatch(command: &Command, output: &Output) -> Result<(), Failure> {
         Command::Render(args) => render::run(args, output),
         Command::Compare(args) => compare::run(args, output),
         Command::Turntable(args) => turntable::run(args, output),
+        Command::Field(args) => field::run(args, output),
         Command::Meshes(args) => meshes::run(args, output),
         Command::Adapters(args) => adapters::run(args, output),
         Command::Completions(args) => shell::completions(Cli::command(), args, output),

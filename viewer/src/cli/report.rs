@@ -77,3 +77,7 @@ pub(super) fn write(error: WriteError) -> Failure {
     };
     Failure::Output { message: error.to_string(), help: Some(help.to_owned()) }
 }
+
+pub(super) fn reference(error: &tam_viewer::reference::ReferenceError) -> Failure {
+    work("picture", error, "choose another --side")
+}

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use glam::DVec3;
 use tam_gen::command::{Failure, Output};
 use tam_viewer::mesh::Mesh;
 use tam_viewer::surface::{
     FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
 };
-use tam_viewer::{LightKind, Mapping, Method, Scene, ranges};
+use tam_viewer::{Follow, LightKind, Mapping, Method, Scene, ranges};
 
 use super::{parse, report};
 
@@ -26,6 +26,15 @@ pub(super) struct SurfaceArgs {
     /// Stripes per unit at their coarsest, before any is doubled
     #[arg(long, value_name = "N", value_parser = parse::in_range(ranges::LINES_PER_UNIT), allow_hyphen_values = true, help_heading = "How it is hatched")]
     stripes: Option<f64>,
+    /// Whether patches lie still along the field, or turn across the light
+    #[arg(long, value_enum, default_value = "surface", help_heading = "How it is hatched")]
+    follow: FollowArg,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum FollowArg {
+    Surface,
+    Light,
 }
 
 /// What `--field` names.
@@ -62,6 +71,14 @@ fn source(text: &str) -> Result<Source, String> {
 }
 
 impl SurfaceArgs {
+    /// What patches follow.
+    pub(super) fn follow(&self) -> Follow {
+        match self.follow {
+            FollowArg::Surface => Follow::Surface,
+            FollowArg::Light => Follow::Light,
+        }
+    }
+
     /// The field asked for.
     pub(super) fn field(&self, mesh: &Mesh, scene: &Scene) -> Result<FieldOptions, Failure> {
         let mut guides: Vec<Guide> = Vec::new();
@@ -96,8 +113,11 @@ impl SurfaceArgs {
         tiles_per_unit: f64,
         output: &Output,
     ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        let patches =
-            mappings.contains(&Mapping::Patches).then(|| PatchOptions { tiles_per_unit, ..PatchOptions::default() });
+        let patches = mappings.contains(&Mapping::Patches).then(|| PatchOptions {
+            tiles_per_unit,
+            follow: self.follow(),
+            ..PatchOptions::default()
+        });
         let lapped =
             mappings.contains(&Mapping::Lapped).then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
         let default = StripeOptions::default();

@@ -212,6 +212,7 @@ impl ViewArgs {
                 BlendArg::Union => Blend::Union,
                 BlendArg::Linear => Blend::Linear,
             },
+            follow: self.surface.follow(),
             tiles_per_unit: self.tiles.unwrap_or(default.tiles_per_unit),
             level_bias: self.level_bias.unwrap_or(default.level_bias),
             slope: self.slope.unwrap_or(default.slope),

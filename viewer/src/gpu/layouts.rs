@@ -61,7 +61,13 @@ impl Layouts {
             ),
             surface: layout(
                 "surface",
-                &[storage(0, FRAGMENT), storage(1, FRAGMENT), storage(4, FRAGMENT), storage(5, FRAGMENT)],
+                &[
+                    storage(0, FRAGMENT),
+                    storage(1, FRAGMENT),
+                    texture(2, tables, false),
+                    storage(4, FRAGMENT),
+                    storage(5, FRAGMENT),
+                ],
             ),
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),
             face_frames: layout("face_frames", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(5)]),

@@ -1,11 +1,13 @@
 //! A surface's patches and stripes on the GPU: bind group 3.
 
-use tam_shaders::types::StripePhases;
+use glam::DMat4;
+use tam_shaders::types::{self, StripePhases};
 use wgpu::util::DeviceExt;
 
 use super::{Gpu, GpuError, Layouts};
-use crate::params::Mapping;
-use crate::surface::{Patches, Stripes, Surface};
+use crate::params::{Follow, Mapping};
+use crate::surface::patches::turns::Turns;
+use crate::surface::{Graph, Patches, Stripes, Surface};
 
 /// What a mesh's surface has on the GPU.
 pub(crate) struct SurfaceBuffers {
@@ -18,8 +20,13 @@ pub(crate) struct SurfaceBuffers {
 struct PatchBuffers {
     group: wgpu::BindGroup,
     tiles_per_unit: f64,
+    /// Those that turn with the light, and the texture that says how.
+    turning: Option<(Turns, wgpu::Texture)>,
     bytes: u64,
 }
+
+/// Texels in a row of the table of turns.
+const TURNS_PER_ROW: u32 = 1023;
 
 /// Of the two fields; a single record stands for none.
 struct StripeBuffers {
@@ -36,10 +43,12 @@ impl SurfaceBuffers {
     /// [`GpuError::TooLarge`] if a buffer exceeds what the adapter binds.
     pub(crate) fn new(gpu: &Gpu, layouts: &Layouts, surface: Option<&Surface>) -> Result<Self, GpuError> {
         let stripes = StripeBuffers::new(gpu, surface.and_then(|surface| surface.stripes.as_ref()))?;
-        let upload =
-            |patches: Option<&Patches>| patches.map(|patches| PatchBuffers::new(gpu, layouts, patches, &stripes));
+        let upload = |patches: Option<&Patches>| {
+            let graph = surface.map(|surface| &surface.graph);
+            graph.zip(patches).map(|(graph, patches)| PatchBuffers::new(gpu, layouts, graph, patches, &stripes))
+        };
         Ok(Self {
-            empty: group(gpu, layouts, &[0; 4], &[0; 16], &stripes),
+            empty: group(gpu, layouts, &[0; 4], &[0; 16], &turn_table(gpu, 1), &stripes),
             patches: upload(surface.and_then(|surface| surface.patches.as_ref())).transpose()?,
             lapped: upload(surface.and_then(|surface| surface.lapped.as_ref())).transpose()?,
             stripes,
@@ -64,6 +73,25 @@ impl SurfaceBuffers {
         self.of(mapping).map(|patches| patches.tiles_per_unit)
     }
 
+    /// What a mapping's patches follow.
+    pub(crate) fn follow(&self, mapping: Mapping) -> Option<Follow> {
+        self.of(mapping).map(|patches| if patches.turning.is_some() { Follow::Light } else { Follow::Surface })
+    }
+
+    /// Turns the patches that follow the light; `staging` is only memory.
+    pub(crate) fn turn(&self, gpu: &Gpu, scene: &types::Scene, world_from_mesh: DMat4, staging: &mut Vec<[f32; 4]>) {
+        let Some((turns, table)) = self.patches.as_ref().and_then(|patches| patches.turning.as_ref()) else { return };
+        turns.under(&scene.into(), world_from_mesh, staging);
+        let size = table.size();
+        staging.resize((size.width * size.height) as usize, [0.0; 4]);
+        let rows = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(size.width * 16),
+            rows_per_image: Some(size.height),
+        };
+        gpu.queue.write_texture(table.as_image_copy(), bytemuck::cast_slice(staging), rows, size);
+    }
+
     /// Whether there are lines along the field.
     pub(crate) fn has_stripes(&self) -> bool {
         self.stripes.some[0]
@@ -82,11 +110,20 @@ impl SurfaceBuffers {
 }
 
 impl PatchBuffers {
-    fn new(gpu: &Gpu, layouts: &Layouts, patches: &Patches, stripes: &StripeBuffers) -> Result<Self, GpuError> {
+    fn new(
+        gpu: &Gpu,
+        layouts: &Layouts,
+        graph: &Graph,
+        patches: &Patches,
+        stripes: &StripeBuffers,
+    ) -> Result<Self, GpuError> {
         gpu.fits("the patches of the mesh's faces", patches.bytes())?;
-        let entries = patches.packed();
+        let (starts, entries) = (patches.packed_starts(), patches.packed());
+        let turning = (patches.follow == Follow::Light).then(|| Turns::new(graph, patches));
+        let table = turn_table(gpu, turning.as_ref().map_or(1, Turns::len));
         Ok(Self {
-            group: group(gpu, layouts, bytemuck::cast_slice(&patches.starts), bytemuck::cast_slice(&entries), stripes),
+            group: group(gpu, layouts, bytemuck::cast_slice(&starts), bytemuck::cast_slice(&entries), &table, stripes),
+            turning: turning.map(|turns| (turns, table)),
             tiles_per_unit: patches.tiles_per_unit,
             bytes: patches.bytes(),
         })
@@ -114,11 +151,36 @@ fn storage(gpu: &Gpu, label: &str, contents: &[u8]) -> wgpu::Buffer {
     })
 }
 
-fn group(gpu: &Gpu, layouts: &Layouts, starts: &[u8], entries: &[u8], stripes: &StripeBuffers) -> wgpu::BindGroup {
+fn turn_table(gpu: &Gpu, turns: usize) -> wgpu::Texture {
+    let rows = (turns as u32).div_ceil(TURNS_PER_ROW).max(1);
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("turns"),
+        size: wgpu::Extent3d { width: TURNS_PER_ROW, height: rows, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba32Float,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}
+
+fn group(
+    gpu: &Gpu,
+    layouts: &Layouts,
+    starts: &[u8],
+    entries: &[u8],
+    turns: &wgpu::Texture,
+    stripes: &StripeBuffers,
+) -> wgpu::BindGroup {
     let patches = [storage(gpu, "patch starts", starts), storage(gpu, "patch entries", entries)];
     let buffers = [(0, &patches[0]), (1, &patches[1]), (4, &stripes.along), (5, &stripes.across)];
-    let entries =
-        buffers.map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() });
+    let turns = turns.create_view(&wgpu::TextureViewDescriptor::default());
+    let mut entries: Vec<wgpu::BindGroupEntry<'_>> = buffers
+        .iter()
+        .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() })
+        .collect();
+    entries.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&turns) });
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("surface"),
         layout: &layouts.surface,

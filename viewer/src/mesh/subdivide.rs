@@ -16,8 +16,11 @@ impl Mesh {
     /// Triangles that share an edge are cut at the same place, so nothing opens.
     pub fn subdivided(&self, longest: f32) -> Mesh {
         let mut mesh = self.clone();
+        if longest.is_nan() || longest <= 0.0 {
+            return mesh;
+        }
         for _ in 0..ROUNDS {
-            if !(longest > 0.0) || 4 * mesh.triangles.len() > TRIANGLES_MAX || !Cuts::new(&mut mesh, longest).cut() {
+            if 4 * mesh.triangles.len() > TRIANGLES_MAX || !Cuts::new(&mut mesh, longest).cut() {
                 break;
             }
         }

@@ -6,7 +6,7 @@ use tam_shaders::{Pass, compose};
 
 use super::{face_frame, fine_tone, phong, six_way, stripes, stroke_map};
 use crate::gpu::{DEPTH_FORMAT, Gpu, GpuMesh, Layouts, MapKind, PixelFormat};
-use crate::params::{Blend, Form, Mapping, Method, RenderParams};
+use crate::params::{Blend, Follow, Form, Mapping, Method, RenderParams};
 
 /// One way to draw: a shader with its constants.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -35,7 +35,9 @@ impl Variant {
     /// The overrides that all mapped methods have.
     pub(crate) fn mapped(mut self, params: &RenderParams) -> Self {
         self.frames = params.mapping == Mapping::Frames;
-        self.with("FORM", form_constant(params.form)).with(
+        let follows = params.mapping == Mapping::Patches && params.follow == Follow::Light;
+        let this = self.with("FOLLOW", u32::from(follows));
+        this.with("FORM", form_constant(params.form)).with(
             "MAPPING",
             match params.mapping {
                 Mapping::Uv => 0,

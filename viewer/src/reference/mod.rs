@@ -9,7 +9,7 @@
 //! used.
 
 mod maps;
-mod raster;
+pub(crate) mod raster;
 mod shade;
 #[cfg(test)]
 mod tests;

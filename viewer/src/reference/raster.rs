@@ -9,14 +9,14 @@ use rayon::prelude::*;
 const BAND_ROWS: usize = 32;
 
 /// A triangle on the grid of samples, whose places are in samples from the top left corner.
-pub(super) struct Triangle {
+pub(crate) struct Triangle {
     /// Edge k is 0 along the edge opposite to corner k, and its share of 1 / w inside, times the determinant.
     edges: [DVec3; 3],
     determinant: f64,
     /// z / w and 1 - z / w are linear in the edges.
     depths: [f64; 3],
     /// Whether its front is seen.
-    pub(super) front: bool,
+    pub(crate) front: bool,
     /// First and last sample that it may cover, in x and y.
     from: [usize; 2],
     to: [usize; 2],
@@ -24,14 +24,14 @@ pub(super) struct Triangle {
 
 /// What is seen at a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Hit {
-    pub(super) triangle: u32,
+pub(crate) struct Hit {
+    pub(crate) triangle: u32,
     depth: f64,
 }
 
 impl Triangle {
     /// The triangle of three clip places; none where it is seen edge-on, behind the camera or beside the picture.
-    pub(super) fn new(clips: [DVec4; 3], grid: [usize; 2]) -> Option<Self> {
+    pub(crate) fn new(clips: [DVec4; 3], grid: [usize; 2]) -> Option<Self> {
         let size = DVec2::new(grid[0] as f64, grid[1] as f64);
         // Homogeneous places in samples, y down.
         let place =
@@ -61,7 +61,7 @@ impl Triangle {
     }
 
     /// Barycentric weights at a place, true in space; they sum to 1, also outside of the triangle.
-    pub(super) fn weights(&self, place: DVec2) -> DVec3 {
+    pub(crate) fn weights(&self, place: DVec2) -> DVec3 {
         let shares = self.shares(place);
         shares / shares.element_sum()
     }
@@ -84,7 +84,7 @@ impl Triangle {
 }
 
 /// For each row of the grid and each sample of it, the nearest triangle; of two at the same depth the one drawn first.
-pub(super) fn visible(triangles: &[&Triangle], grid: [usize; 2]) -> Vec<Vec<Option<Hit>>> {
+pub(crate) fn visible(triangles: &[&Triangle], grid: [usize; 2]) -> Vec<Vec<Option<Hit>>> {
     let mut rows = vec![vec![None; grid[0]]; grid[1]];
     rows.par_chunks_mut(BAND_ROWS).enumerate().for_each(|(band, rows)| {
         let first = band * BAND_ROWS;

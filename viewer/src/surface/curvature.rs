@@ -100,7 +100,8 @@ fn of_triangle(graph: &Graph, triangle: [u32; 3]) -> Option<Shape> {
         }
     }
     let trace = ata.x_axis.x + ata.y_axis.y + ata.z_axis.z;
-    if !(ata.determinant() > 1e-12 * trace.powi(3)) {
+    let determinant = ata.determinant();
+    if determinant.is_nan() || determinant <= 1e-12 * trace.powi(3) {
         return None;
     }
     let [e, f, g] = (ata.inverse() * atb).to_array();

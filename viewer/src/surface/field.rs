@@ -164,7 +164,7 @@ fn wanted(graph: &Graph, mesh: &Mesh, curvatures: &[Curvature], source: &FieldSo
                 FieldSource::Curvature | FieldSource::LowerCurvature => {
                     let curvature = &curvatures[node];
                     let quarter = if *source == FieldSource::Curvature { 0.0 } else { FRAC_PI_2 };
-                    let clear = curvature.anisotropy() * clear_radius;
+                    let clear = (curvature.anisotropy() * clear_radius).powi(2);
                     c64::from_polar(clear / (1.0 + clear), 2.0 * (curvature.higher_rad() + quarter))
                 }
                 FieldSource::Constant(direction) => projected(node, direction.normalize_or_zero()),

@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use super::barycentric::corner_weights;
 use super::mapping::{Mapped, footprint, frame_place, map_surface, pattern_count};
-use super::patches::{MAX_PATCHES, patch_patterns, patch_uv, unpack_tens};
+use super::material::tile_uv;
+use super::patches::{MAX_PATCHES, patch_patterns, patch_place, unpack_tens};
 use super::surface::Point;
 use crate::cpu::{Bindings, Blend, Mapping, Options, Quad};
 
@@ -64,7 +65,8 @@ pub fn lapped_ink(
     for entry in &b.patches.entries[first..end.min(first + MAX_PATCHES)] {
         let alpha = unpack_tens(entry.shares).dot(corners).clamp(0.0, 1.0);
         if alpha > 0.0 {
-            ink += alpha * (pattern_ink(patch_uv(b.material, entry.places, corners), tiles_per_px, d) - ink);
+            ink +=
+                alpha * (pattern_ink(tile_uv(b.material, patch_place(entry.places, corners)), tiles_per_px, d) - ink);
         }
     }
     ink

@@ -1,13 +1,17 @@
 //! Twin of `lib/patches.wgsl`: overlapping parametrisations of a surface, found per face.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, DVec4};
 
 use super::material::{Material, tile_uv};
-use crate::cpu::Bindings;
+use crate::cpu::{Bindings, Follow};
 use crate::types::PatchEntry;
 
 /// Patches of a face at most.
 pub const MAX_PATCHES: usize = 8;
+/// Copies of a patch that follows the light.
+pub const TURNS: usize = 3;
+/// Where an entry has no seed.
+pub const NO_SEED: u32 = u32::MAX;
 /// Greatest place on the tile that a record holds, in tiles.
 pub const PLACE_RANGE: f64 = 4.0;
 /// Greatest distance behind the nearest patch that a record holds, in feathers.
@@ -20,6 +24,10 @@ pub struct PatchTable<'a> {
     pub starts: &'a [u32],
     /// By face.
     pub entries: &'a [PatchEntry],
+    /// Per entry its seed.
+    pub seeds: &'a [u32],
+    /// [`TURNS`] per seed: place of the seed on the tile, angle, share.
+    pub turns: &'a [DVec4],
 }
 
 /// The patches of a face as a fragment sees them.
@@ -57,10 +65,24 @@ fn unpack_place(code: u32) -> DVec2 {
     DVec2::new(half(code & 0xffff), half(code >> 16))
 }
 
-/// Place on the tile at a fragment.
-pub fn patch_uv(material: &Material, places: [u32; 3], corners: DVec3) -> DVec2 {
+/// Place in the patch at a fragment, in tiles.
+pub fn patch_place(places: [u32; 3], corners: DVec3) -> DVec2 {
     let place: DVec2 = places.into_iter().zip(corners.to_array()).map(|(code, share)| unpack_place(code) * share).sum();
-    tile_uv(material, PLACE_RANGE * place)
+    PLACE_RANGE * place
+}
+
+/// How an entry's patch lies on the tile, in one of the copies that are drawn of it.
+pub fn entry_turn(follow: Follow, table: PatchTable<'_>, entry: usize, copy: usize) -> DVec4 {
+    let alone = DVec4::new(0.0, 0.0, 0.0, if copy == 0 { 1.0 } else { 0.0 });
+    match table.seeds.get(entry) {
+        Some(&seed) if follow == Follow::Light && seed != NO_SEED => table.turns[seed as usize * TURNS + copy],
+        _ => alone,
+    }
+}
+
+/// Place on the tile of a place in a patch.
+pub fn turned_uv(material: &Material, place: DVec2, turn: DVec4) -> DVec2 {
+    tile_uv(material, turn.truncate().truncate() + DVec2::from_angle(turn.z).rotate(place))
 }
 
 /// The patches of a face and their weights at a fragment.
@@ -86,11 +108,14 @@ pub fn patches_at(table: PatchTable<'_>, face: usize, corners: DVec3) -> Patches
 /// Places on the tile and weights of all patches of a face at a fragment, without those that weigh nothing.
 pub fn patch_patterns(b: &Bindings<'_>, face: usize, corners: DVec3) -> Vec<(DVec2, f64)> {
     let patches = patches_at(b.patches, face, corners);
-    (0..patches.count)
-        .filter(|i| patches.weights[*i] > 0.0)
-        .map(|i| {
-            let places = b.patches.entries[patches.first + i].places;
-            (patch_uv(b.material, places, corners), patches.weights[i])
+    let copies = if b.options.follow == Follow::Light { TURNS } else { 1 };
+    let of_entry = |i: usize| {
+        let entry = patches.first + i;
+        let place = patch_place(b.patches.entries[entry].places, corners);
+        (0..copies).map(move |copy| {
+            let turn = entry_turn(b.options.follow, b.patches, entry, copy);
+            (turned_uv(b.material, place, turn), patches.weights[i] * turn.w)
         })
-        .collect()
+    };
+    (0..patches.count).flat_map(of_entry).filter(|(_, weight)| *weight > 0.0).collect()
 }

@@ -100,3 +100,83 @@ pub fn crossed_darkness(d: f64, cross_from: f64) -> DVec2 {
     let rest = ((1.0 - d).max(0.0) / (1.0 - cross_from).max(1e-6)).sqrt();
     DVec2::new(1.0 - (1.0 - cross_from) * rest, 1.0 - rest)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kinds() -> [StripePhases; 4] {
+        let corners = [0.25, 1.5, -0.75];
+        [(0, false), (1, false), (-2, false), (3, true)].map(|(number, folds)| match folds {
+            true => StripePhases::folded(corners, number),
+            false => StripePhases::wound(corners, number),
+        })
+    }
+
+    #[test]
+    fn lines_stay_where_they_are_while_others_come() {
+        for octave in [0, 1, 3, 6] {
+            let per_px = 1.0 / (6.0 * f64::from(1 << octave));
+            for i in 0..200 {
+                let (phase, d) = (f64::from(i) / 200.0, 0.1 + 0.8 * f64::from(i % 7) / 7.0);
+                let [before, after] = [1.0 + 1e-9, 1.0 - 1e-9].map(|near| doubled_ink(phase, near * per_px, 6.0, d));
+                assert!((before - after).abs() < 1e-6, "{before} to {after} at {phase}, doubled {octave} times");
+            }
+        }
+        // In the middle of an old line there is ink at any level.
+        for zoom in 0..60 {
+            let per_px = 0.05 * (-0.1 * f64::from(zoom)).exp2();
+            assert!(doubled_ink(3.0, per_px, 6.0, 0.3) > 0.99, "{zoom}");
+        }
+    }
+
+    #[test]
+    fn lines_too_dense_for_pixels_are_grey() {
+        for i in 0..50 {
+            assert_eq!(doubled_ink(f64::from(i) * 0.37, 0.6, 6.0, 0.42), 0.42);
+        }
+    }
+
+    #[test]
+    fn both_fields_together_have_the_darkness_asked_for() {
+        for cross_from in [0.0, 0.3, 0.55, 1.0] {
+            for d in [0.0, 0.2, 0.55, 0.56, 0.8, 1.0] {
+                let shares = crossed_darkness(d, cross_from);
+                assert!(((1.0 - shares.x) * (1.0 - shares.y) - (1.0 - d)).abs() < 1e-12, "{d} from {cross_from}");
+                assert!(d > cross_from || shares.y == 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_slope_is_the_change_of_the_phase() {
+        let weights = [DVec3::new(0.6, 0.3, 0.1), DVec3::new(0.1, 0.5, 0.4), DVec3::new(0.3, 0.1, 0.6)];
+        for (s, w) in kinds().into_iter().flat_map(|s| weights.map(|w| (s, w))) {
+            let dw = DVec3::new(1e-6, 2e-6, -3e-6);
+            let change = stripe_phase(&s, w + dw) - stripe_phase(&s, w);
+            assert!((change - stripe_slope(&s, w, dw)).abs() < 1e-9, "{s:?} at {w}");
+        }
+    }
+
+    #[test]
+    fn inside_a_triangle_phases_jump_by_whole_lines_only() {
+        for s in kinds() {
+            let mut greatest = 0.0_f64;
+            for step in 0..3000 {
+                // Once around the middle.
+                let at = |step: i32| {
+                    let angle = std::f64::consts::TAU * f64::from(step) / 3000.0;
+                    let shift = |third: f64| (angle + third * std::f64::consts::TAU / 3.0).cos() * 0.2;
+                    DVec3::new(1.0 / 3.0 + shift(0.0), 1.0 / 3.0 + shift(1.0), 1.0 / 3.0 + shift(2.0))
+                };
+                let [here, next] = [step, step + 1].map(|step| {
+                    let phase = stripe_phase(&s, at(step));
+                    (phase - phase.round()).abs()
+                });
+                greatest = greatest.max((here - next).abs());
+            }
+            // A circle of 3000 steps, on which no phase changes by more than a dozen lines.
+            assert!(greatest < 12.0 / 1000.0, "{s:?}: {greatest}");
+        }
+    }
+}

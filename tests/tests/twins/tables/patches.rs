@@ -4,8 +4,8 @@ use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::corner_weights;
 use tam_shaders::cpu::lib::blend::{lapped_ink, patches_ink, surface_ink};
-use tam_shaders::cpu::lib::patches::{patch_uv, patches_at, unpack_tens};
-use tam_shaders::cpu::{Blend, Form, Mapping, Options, Quad, fine_tone, six_way};
+use tam_shaders::cpu::lib::patches::{entry_turn, patch_place, patches_at, turned_uv, unpack_tens};
+use tam_shaders::cpu::{Blend, Follow, Form, Mapping, Options, Quad, fine_tone, six_way};
 
 use super::maps::SAMPLED;
 use super::{any_point, one, point, three, two};
@@ -23,13 +23,26 @@ pub(crate) fn rows() -> Vec<Row> {
         row("corner_weights", Pass::FineTone, "vec4f(corner_weights(u32(d.z), a.xyz), 0.0)", any_point)
             .twin(|b, case| three(corner_weights(&b.mesh, case[3].z as usize, case[0].truncate())))
             .within(64.0 * U, 0.0),
-        // Places within 4 tiles of codes that are exact, times weights within 1, through a matrix.
-        row("patch_uv", Pass::FineTone, "vec4f(patch_uv(patch_entries[u32(d.z)].places, b.xyz), 0.0, 0.0)", in_a_face)
+        // Places within 4 tiles of codes that are exact, times weights within 1.
+        row(
+            "patch_place",
+            Pass::FineTone,
+            "vec4f(patch_place(patch_entries[u32(d.z)].places, b.xyz), 0.0, 0.0)",
+            in_a_face,
+        )
+        .twin(|b, case| two(patch_place(b.patches.entries[case[3].z as usize].places, case[1].truncate())))
+        .within(16.0 * U, 0.0),
+        row("entry_turn", Pass::FineTone, "entry_turn(u32(d.z), u32(d.w) % 3u)", in_a_face)
+            .twin(|b, case| entry_turn(b.options.follow, b.patches, case[3].z as usize, case[3].w as usize % 3))
+            .in_options([Follow::Surface, Follow::Light].map(|follow| Options { follow, ..Options::default() }))
+            .within(1e-30, 0.0),
+        // Sine and cosine of drivers are off by 2^-11 at most (WGSL); Mesa's by 1e-6. Places within 2, scaled by 1.3.
+        row("turned_uv", Pass::FineTone, "vec4f(turned_uv(c.xy, vec4f(b.xy, 3.0 * b.z, 1.0)), 0.0, 0.0)", in_a_face)
             .twin(|b, case| {
-                let places = b.patches.entries[case[3].z as usize].places;
-                two(patch_uv(b.material, places, case[1].truncate()))
+                let turn = DVec4::new(case[1].x, case[1].y, 3.0 * case[1].z, 1.0);
+                two(turned_uv(b.material, super::xy(case[2]), turn))
             })
-            .within(64.0 * U, 0.0),
+            .within(2e-5, 0.0),
         // Differences of numbers up to 4, each a few round-offs.
         row(
             "patches_at",
@@ -54,7 +67,11 @@ pub(crate) fn rows() -> Vec<Row> {
                 let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
                 one(patches_ink(b, case[3].z as usize, case[1].truncate(), case[2].z, case[0].w, &ink))
             })
-            .in_options([with(Mapping::Patches, Blend::Union), with(Mapping::Patches, Blend::Linear)])
+            .in_options([
+                with(Mapping::Patches, Blend::Union),
+                with(Mapping::Patches, Blend::Linear),
+                Options { follow: Follow::Light, ..with(Mapping::Patches, Blend::Union) },
+            ])
             .within(4.0 * SAMPLED, 0.0),
         row("lapped_ink", Pass::FineTone, "vec4f(lapped_ink(u32(d.z), b.xyz, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
             .twin(|b, case| {

@@ -53,7 +53,8 @@ pub(super) fn flatten(
             }
         }
     }
-    if !(trace > 0.0) {
+    // No triangle has an area: nothing says where they belong.
+    if trace <= 0.0 {
         return Ok(());
     }
     let hold = HOLD * trace / places.len() as f64;

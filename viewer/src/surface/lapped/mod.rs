@@ -24,6 +24,7 @@ use super::field::Field;
 use super::graph::Graph;
 use super::patches::{Patches, Seed};
 use super::solve::SolveError;
+use crate::params::Follow;
 use cover::Cover;
 use grow::Grower;
 use outline::Outline;
@@ -65,7 +66,8 @@ impl LappedOptions {
 pub fn lapped(graph: &Graph, field: &Field, options: &LappedOptions) -> Result<Patches, SolveError> {
     let (seeds, cover) = painted(graph, field, options)?;
     let (starts, entries) = cover.finish();
-    Ok(Patches { seeds, starts, entries, tiles_per_unit: options.tiles_per_unit, lapped: true })
+    let tiles_per_unit = options.tiles_per_unit;
+    Ok(Patches { seeds, starts, entries, tiles_per_unit, follow: Follow::Surface, lapped: true })
 }
 
 /// Patches pasted until all triangles are covered, and their seeds.
@@ -86,7 +88,8 @@ fn painted(graph: &Graph, field: &Field, options: &LappedOptions) -> Result<(Vec
         if !fade::is_sound(&faces, &patch, &patch.members[0], tiles_per_unit) {
             patch = grower.alone(seed);
         }
-        let alphas = fade::alphas(&faces, &patch, &outline, feather_tiles, tiles_per_unit);
+        fade::cut_folds(&faces, &mut patch, tiles_per_unit);
+        let alphas = fade::alphas(&patch, &outline, feather_tiles);
         cover.paste(seeds.len() as u32, &patch, &alphas, DVec2::from(offset_uv));
         let node = graph.triangles[seed as usize][0];
         seeds.push(Seed { node, angle_rad: field.angles_rad[node as usize], offset_uv });

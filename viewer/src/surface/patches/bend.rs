@@ -6,6 +6,7 @@ use glam::{DMat2, DVec2};
 
 use super::PatchOptions;
 use super::exp_map::Visit;
+use crate::params::Follow;
 use crate::surface::field::Field;
 use crate::surface::graph::Graph;
 
@@ -25,7 +26,7 @@ impl Bend {
     /// Fitted to the field at the nodes of a patch; `spacing` is the distance of seeds here.
     pub(super) fn fit(graph: &Graph, field: &Field, visits: &[Visit], spacing: f64, options: &PatchOptions) -> Self {
         let straight = Self { angle_rad: 0.0, rates: DVec2::ZERO };
-        if !options.aligned {
+        if options.follow == Follow::Light {
             return straight;
         }
         // The cell of the seed counts most; areas, so that dense places do not count more.

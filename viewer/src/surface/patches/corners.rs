@@ -108,6 +108,7 @@ pub(super) fn gather(
         starts: Vec::with_capacity(lists.len() + 1),
         entries: Vec::with_capacity(lists.iter().map(Vec::len).sum()),
         tiles_per_unit: options.tiles_per_unit,
+        follow: options.follow,
         lapped: false,
     };
     patches_of.starts.push(0);

@@ -11,6 +11,7 @@ mod corners;
 mod exp_map;
 mod fallback;
 mod seeds;
+pub(crate) mod turns;
 
 use rayon::prelude::*;
 use tam_shaders::types::PatchEntry;
@@ -18,6 +19,7 @@ use tam_shaders::types::PatchEntry;
 use super::curvature::Curvature;
 use super::field::Field;
 use super::graph::Graph;
+use crate::params::Follow;
 use bend::Bend;
 use exp_map::{Explorer, Visit};
 
@@ -38,8 +40,8 @@ pub struct PatchOptions {
     pub greatest_density: f64,
     /// Whether patches bend along the field within themselves.
     pub bent: bool,
-    /// Whether patches turn with the field at their seeds; else they lie in the nodes' fixed frames.
-    pub aligned: bool,
+    /// Along the field; or straight in the seeds' own frames, to be turned with the light when they are drawn.
+    pub follow: Follow,
 }
 
 impl Default for PatchOptions {
@@ -50,7 +52,7 @@ impl Default for PatchOptions {
             feather_tiles: 0.18,
             greatest_density: 2.5,
             bent: true,
-            aligned: true,
+            follow: Follow::Surface,
         }
     }
 }
@@ -72,7 +74,8 @@ pub struct Seed {
     pub node: u32,
     /// Angle of the patch's first axis in the node's frame, in radians.
     pub angle_rad: f64,
-    /// Place of the seed on the tile, each 0..1, so that no two patches show the same strokes.
+    /// Place of the seed on the tile, each 0..1, so that no two patches show the same strokes; 0 where it follows the
+    /// light.
     pub offset_uv: [f64; 2],
 }
 
@@ -87,6 +90,8 @@ pub struct Patches {
     pub entries: Vec<Entry>,
     /// Repeats of the tile per unit for which they were made.
     pub tiles_per_unit: f64,
+    /// What they follow.
+    pub follow: Follow,
     /// Whether they are painted one over another, by alpha, instead of blended.
     pub lapped: bool,
 }
@@ -102,9 +107,14 @@ impl Patches {
         self.entries.par_iter().map(|entry| entry.packed(self.lapped)).collect()
     }
 
+    /// Starts and seeds, as the shaders read them: per face its first entry, their number, and per entry its seed.
+    pub fn packed_starts(&self) -> Vec<u32> {
+        self.starts.iter().copied().chain(self.entries.iter().map(|entry| entry.seed)).collect()
+    }
+
     /// Bytes of starts and entries on the GPU.
     pub fn bytes(&self) -> u64 {
-        4 * self.starts.len() as u64 + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
+        4 * (self.starts.len() + self.entries.len()) as u64 + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
     }
 }
 
@@ -125,7 +135,9 @@ pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: 
                 for visit in &mut visits {
                     visit.place = bend.place(visit.place);
                 }
-                (Seed { node, angle_rad: bend.angle_rad, offset_uv: seeds::offset(index) }, visits)
+                let follows = options.follow == Follow::Light;
+                let offset_uv = if follows { [0.0; 2] } else { seeds::offset(index, 0) };
+                (Seed { node, angle_rad: bend.angle_rad, offset_uv }, visits)
             },
         )
         .collect();

@@ -95,8 +95,8 @@ pub(super) fn spread(graph: &Graph, density: &[f64], spacing: f64) -> Vec<u32> {
     seeds
 }
 
-/// Place of a seed on the tile.
-pub(super) fn offset(seed: usize) -> [f64; 2] {
-    let mut draw = Draw::new(seed as u64, "patch");
+/// Place of a seed on the tile, of one of the angles at which it is drawn.
+pub(super) fn offset(seed: usize, angle: usize) -> [f64; 2] {
+    let mut draw = Draw::new(((seed as u64) << 8) | angle as u64, "patch");
     [draw.unit(), draw.unit()]
 }

@@ -128,7 +128,7 @@ fn lines_that_draw_together_need_not_end() {
     let (graph, field) = fan();
     let stripes = stripes(&graph, &field, &FOUR).expect("stripes");
     let seen = seen(&graph, &field, false, &stripes.along);
-    // Evenly spaced ones must, and swerve for it: 3 to 7 of some 10 on the way in, by 4 degrees.
+    // Evenly spaced ones must, and swerve for it: 5 end, and the error is 5 degrees.
     assert!(seen.ends == 0 && seen.error_deg < 1.0, "{seen:?}");
 }
 

@@ -71,10 +71,10 @@ fn triplets(graph: &Graph, steps: &[Step], clusters: &Clusters, mass: &[f64]) ->
         let (sin, cos) = (TAU * lines).sin_cos();
         let block = [[cos, -sin], [sign * sin, sign * cos]];
         let (first, second) = (2 * a.cluster as usize, 2 * b.cluster as usize);
-        for row in 0..2 {
+        for (row, entries) in block.into_iter().enumerate() {
             triplets.push(Triplet::new(first + row, first + row, link.weight));
             triplets.push(Triplet::new(second + row, second + row, link.weight));
-            for (column, entry) in block[row].into_iter().enumerate() {
+            for (column, entry) in entries.into_iter().enumerate() {
                 let entry = -link.weight * entry;
                 // Within a cluster the block and its transpose add up.
                 let (r, c) = (second + row, first + column);
