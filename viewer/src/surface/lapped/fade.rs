@@ -9,7 +9,7 @@ use super::grow::Patch;
 use super::outline::{Outline, nearest};
 
 /// Places in a patch must keep the lengths of a triangle within this factor.
-const GREATEST_STRETCH: f64 = 2.5;
+const GREATEST_STRETCH: f64 = 1.7;
 
 /// Whether a patch shows a triangle without a fold, and not much stretched.
 pub(super) fn is_sound(faces: &[Face], patch: &Patch, member: &Member, tiles_per_unit: f64) -> bool {

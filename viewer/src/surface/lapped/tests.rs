@@ -197,14 +197,29 @@ fn patches_are_discs() {
     }
 }
 
+/// A square whose diagonals all run the same way.
+fn grid(steps: u32) -> Mesh {
+    let mut raw = RawMesh::default();
+    for row in 0..=steps {
+        raw.positions.extend((0..=steps).map(|column| vec3(column as f32, row as f32, 0.0)));
+    }
+    for (row, column) in (0..steps).flat_map(|row| (0..steps).map(move |column| (row, column))) {
+        let [a, b] = [row, row + 1].map(|row| row * (steps + 1) + column);
+        raw.triangles.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
+    }
+    prepare(raw).expect("a grid").mesh
+}
+
 #[test]
 fn patches_fill_their_outline() {
-    let (_, _, patches) = grown(&cylinder(), 0.45);
-    for (patch, outline) in patches {
-        let inside = |node: &u32| outline.depth(patch.places[*node as usize]) > 0.0;
-        // The last two in a hundred triangles may be missing.
-        let early = patch.rim.iter().filter(|edge| edge.iter().all(inside)).count();
-        assert!(20 * early <= patch.rim.len(), "{early} of {}", patch.rim.len());
+    for mesh in [cylinder(), grid(100)] {
+        let (_, _, patches) = grown(&mesh, 0.45);
+        for (patch, outline) in patches {
+            let inside = |node: &u32| outline.depth(patch.places[*node as usize]) > 0.0;
+            // The last two in a hundred triangles may be missing.
+            let early = patch.rim.iter().filter(|edge| edge.iter().all(inside)).count();
+            assert!(20 * early <= patch.rim.len(), "{early} of {}", patch.rim.len());
+        }
     }
 }
 
@@ -255,8 +270,6 @@ fn patches_end_at_hard_edges() {
         let normal = |face: u32| graph.normals[graph.triangles[face as usize][0] as usize];
         let first = normal(patch.members[0].face);
         assert!(patch.members.iter().all(|member| normal(member.face).dot(first) > 0.99));
-        // They are opaque up to there: what they do not reach is no rim.
-        assert!(patch.members.len() < 100 || patch.rim.len() < 40);
     }
     assert!(faces.iter().any(|face| face.neighbours.contains(&NONE)));
 }
