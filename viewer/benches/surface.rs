@@ -1,13 +1,15 @@
 //! What a surface costs at load: `cargo bench -p tam-viewer --bench surface [-- --triangles 20000,100000]`.
 //!
-//! Medians of five runs, in seconds, for each step and all of them; and bytes per triangle of patches and of two line
-//! fields.
+//! Medians of five runs, in seconds, for each step and all of them; for lapped patches, which stand for `patches` where
+//! the printed method is compared; and bytes per triangle of patches and of two line fields.
 
 use std::time::Instant;
 
 use tam_viewer::mesh::prepare;
 use tam_viewer::mesh::sample::Sample;
-use tam_viewer::surface::{FieldOptions, Graph, PatchOptions, StripeOptions, curvatures, field, patches, stripes};
+use tam_viewer::surface::{
+    FieldOptions, Graph, LappedOptions, PatchOptions, StripeOptions, curvatures, field, lapped, patches, stripes,
+};
 
 const ROUNDS: usize = 5;
 
@@ -21,8 +23,8 @@ fn main() {
         }
     }
     say(&format!(
-        "{:<10} {:>9}  {:>7} {:>9} {:>7} {:>7} {:>7}  {:>7} {:>12}",
-        "mesh", "triangles", "graph", "curvature", "field", "patches", "stripes", "all", "B/triangle"
+        "{:<10} {:>9}  {:>7} {:>9} {:>7} {:>7} {:>7}  {:>7}  {:>7} {:>12}",
+        "mesh", "triangles", "graph", "curvature", "field", "patches", "stripes", "all", "lapped", "B/triangle"
     ));
     for sample in [Sample::Hand, Sample::Head, Sample::TorusKnot] {
         for count in &triangles {
@@ -36,7 +38,7 @@ fn row(sample: Sample, count: usize) {
         Ok(loaded) => loaded.mesh,
         Err(error) => return say(&format!("{}: {error}", sample.name())),
     };
-    let mut times = vec![Vec::new(); 6];
+    let mut times = vec![Vec::new(); 7];
     let mut bytes = 0;
     for _ in 0..ROUNDS {
         let started = Instant::now();
@@ -62,13 +64,18 @@ fn row(sample: Sample, count: usize) {
         };
         lap(&mut times[4]);
         times[5].push(started.elapsed().as_secs_f64());
+        let started = Instant::now();
+        if let Err(error) = lapped(&graph, &field, &LappedOptions::default()) {
+            return say(&format!("{}: {error}", sample.name()));
+        }
+        times[6].push(started.elapsed().as_secs_f64());
         bytes = patches.bytes() + size_of_val(&stripes.along[..]) as u64 + size_of_val(&stripes.across[..]) as u64;
     }
     let seconds: Vec<String> = times.into_iter().map(|times| format!("{:.3}", median(times))).collect();
-    let [graph, curvature, field, patches, stripes, all] = &seconds[..] else { return };
+    let [graph, curvature, field, patches, stripes, all, lapped] = &seconds[..] else { return };
     let triangles = mesh.triangles.len();
     say(&format!(
-        "{:<10} {triangles:>9}  {graph:>7} {curvature:>9} {field:>7} {patches:>7} {stripes:>7}  {all:>7} {:>12.1}",
+        "{:<10} {triangles:>9}  {graph:>7} {curvature:>9} {field:>7} {patches:>7} {stripes:>7}  {all:>7}  {lapped:>7} {:>12.1}",
         sample.name(),
         bytes as f64 / triangles as f64
     ));

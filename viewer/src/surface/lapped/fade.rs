@@ -9,7 +9,7 @@ use super::grow::Patch;
 use super::outline::{Outline, nearest};
 
 /// Places in a patch must keep the lengths of a triangle within this factor.
-const GREATEST_STRETCH: f64 = 2.5;
+const GREATEST_STRETCH: f64 = 1.7;
 
 /// Whether a patch shows a triangle without a fold, and not much stretched.
 pub(super) fn is_sound(faces: &[Face], patch: &Patch, member: &Member, tiles_per_unit: f64) -> bool {
@@ -25,22 +25,22 @@ pub(super) fn is_sound(faces: &[Face], patch: &Patch, member: &Member, tiles_per
     keeps_lengths && ((b - a).perp_dot(c - a) > 0.0 || face.is_sliver())
 }
 
+/// Takes the triangles that a patch does not show soundly out of it, except the seed: it ends before them.
+pub(super) fn cut_folds(faces: &[Face], patch: &mut Patch, tiles_per_unit: f64) {
+    let seed = patch.members[0].face;
+    let stays = |member: &Member| member.face == seed || is_sound(faces, patch, member, tiles_per_unit);
+    let (sound, folded): (Vec<Member>, Vec<Member>) = patch.members.iter().partition(|member| stays(member));
+    patch.rim.extend(folded.iter().flat_map(|member| (0..3).map(|k| [member.nodes[k], member.nodes[(k + 1) % 3]])));
+    patch.members = sound;
+}
+
 /// Alpha of each node of a patch, 0..=1. The seed is opaque, so that every patch covers something.
-pub(super) fn alphas(
-    faces: &[Face],
-    patch: &Patch,
-    outline: &Outline,
-    feather_tiles: f64,
-    tiles_per_unit: f64,
-) -> Vec<f64> {
-    let unsound = patch.members.iter().filter(|member| !is_sound(faces, patch, member, tiles_per_unit));
-    let folded = unsound.flat_map(|member| (0..3).map(|k| [member.nodes[k], member.nodes[(k + 1) % 3]]));
+pub(super) fn alphas(patch: &Patch, outline: &Outline, feather_tiles: f64) -> Vec<f64> {
     let depths: Vec<f64> = patch.places.iter().map(|place| outline.depth(*place)).collect();
     let ends: Vec<([DVec2; 2], f64)> = patch
         .rim
         .iter()
         .copied()
-        .chain(folded)
         // Rim outside the outline is where patches are meant to end.
         .filter(|edge| edge.iter().any(|node| depths[*node as usize] > 0.0))
         .map(|edge| {

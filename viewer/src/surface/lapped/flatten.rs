@@ -53,6 +53,7 @@ pub(super) fn flatten(
             }
         }
     }
+    // No triangle has an area: nothing says where they belong.
     if trace.is_nan() || trace <= 0.0 {
         return Ok(());
     }

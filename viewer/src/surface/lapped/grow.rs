@@ -18,9 +18,8 @@ use crate::surface::solve::SolveError;
 /// Greatest angle between the direction on a triangle and the patch that it joins.
 const GREATEST_TURN_COSINE: f64 = 0.707;
 
-/// How many times longer than the straight line in the tile the way to a node through the patch may be. Ways run along
-/// edges, which by itself makes them up to a sixth longer.
-const GREATEST_DETOUR: f64 = 1.35;
+/// How many times longer than the straight line in the tile the way to a node through the patch may be.
+const GREATEST_DETOUR: f64 = 1.2;
 
 /// A patch is laid flat first at this many triangles, then whenever they have doubled.
 const FIRST_FLATTENED: usize = 16;
@@ -38,7 +37,7 @@ pub(super) struct Patch {
     pub(super) nodes: Vec<u32>,
     /// Per node its place in tiles; the middle of the seed is the origin.
     pub(super) places: Vec<DVec2>,
-    /// Per node the length of a way along edges to the middle of the seed, in tiles.
+    /// Per node the length of the way through the patch to the middle of the seed, in tiles.
     pub(super) ways: Vec<f64>,
     /// Triangles; the seed is the first.
     pub(super) members: Vec<Member>,
@@ -201,12 +200,12 @@ impl<'a> Grower<'a> {
         let nodes = self.graph.triangles[face as usize];
         let corners = self.faces[face as usize].corners;
         if let Some(apex) = (0..3).find(|k| self.local[nodes[*k] as usize] == NONE) {
-            let [(first, first_way), (second, second_way)] = [(apex + 1) % 3, (apex + 2) % 3].map(|k| {
-                let from = self.local[nodes[k] as usize] as usize;
-                let step = (corners[apex] - corners[k]) * (sign * self.tiles_per_unit);
-                (self.patch.places[from] + step, self.patch.ways[from] + step.length())
-            });
-            let (place, way) = (first.midpoint(second), first_way.min(second_way));
+            let known = [(apex + 1) % 3, (apex + 2) % 3];
+            let from = known.map(|k| self.local[nodes[k] as usize] as usize);
+            let steps = known.map(|k| (corners[apex] - corners[k]) * (sign * self.tiles_per_unit));
+            let [first, second] = [0, 1].map(|i| self.patch.places[from[i]] + steps[i]);
+            let place = first.midpoint(second);
+            let way = onward(steps, from.map(|node| self.patch.ways[node]));
             let slack = self.faces[face as usize].longest_edge() * self.tiles_per_unit;
             if way > GREATEST_DETOUR * place.length() + slack {
                 return false;
@@ -235,4 +234,21 @@ impl<'a> Grower<'a> {
             })
             .collect()
     }
+}
+
+/// The way to the third corner of a triangle, from those to the other two; `steps` lead from these to it.
+///
+/// Straight on in the triangle's plane from where the ways seem to come from, as Kimmel and Sethian, "Computing geodesic
+/// paths on manifolds", 1998, have it; round one of the two corners where that would pass beside their edge.
+fn onward(steps: [DVec2; 2], ways: [f64; 2]) -> f64 {
+    let round = (ways[0] + steps[0].length()).min(ways[1] + steps[1].length());
+    let edge = steps[0] - steps[1];
+    let length = edge.length();
+    let axis = edge.try_normalize().unwrap_or(DVec2::ZERO);
+    // The source, along the edge and off it, on the other side than the third corner.
+    let along = (ways[0] * ways[0] - ways[1] * ways[1] + length * length) / (2.0 * length.max(1e-300));
+    let off = (ways[0] * ways[0] - along * along).max(0.0).sqrt();
+    let corner = DVec2::new(steps[0].dot(axis), steps[0].perp_dot(axis).abs());
+    let crossing = along + (corner.x - along) * off / (off + corner.y).max(1e-300);
+    if (0.0..=length).contains(&crossing) { corner.distance(DVec2::new(along, -off)).min(round) } else { round }
 }

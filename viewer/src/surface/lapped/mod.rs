@@ -95,7 +95,8 @@ fn painted(graph: &Graph, field: &Field, options: &LappedOptions) -> Result<(Vec
         if !fade::is_sound(&faces, &patch, &patch.members[0], tiles_per_unit) {
             patch = grower.alone(seed);
         }
-        let alphas = fade::alphas(&faces, &patch, &outline, feather_tiles, tiles_per_unit);
+        fade::cut_folds(&faces, &mut patch, tiles_per_unit);
+        let alphas = fade::alphas(&patch, &outline, feather_tiles);
         cover.paste(seeds.len() as u32, &patch, &alphas, DVec2::from(offset_uv));
         let node = graph.triangles[seed as usize][0];
         seeds.push(Seed { node, angle_rad: field.angles_rad[node as usize], offset_uv });

@@ -197,14 +197,29 @@ fn patches_are_discs() {
     }
 }
 
+/// A square whose diagonals all run the same way.
+fn grid(steps: u32) -> Mesh {
+    let mut raw = RawMesh::default();
+    for row in 0..=steps {
+        raw.positions.extend((0..=steps).map(|column| vec3(column as f32, row as f32, 0.0)));
+    }
+    for (row, column) in (0..steps).flat_map(|row| (0..steps).map(move |column| (row, column))) {
+        let [a, b] = [row, row + 1].map(|row| row * (steps + 1) + column);
+        raw.triangles.extend([[a, a + 1, b + 1], [a, b + 1, b]]);
+    }
+    prepare(raw).expect("a grid").mesh
+}
+
 #[test]
 fn patches_fill_their_outline() {
-    let (_, _, patches) = grown(&cylinder(), 0.45);
-    for (patch, outline) in patches {
-        let inside = |node: &u32| outline.depth(patch.places[*node as usize]) > 0.0;
-        // The last two in a hundred triangles may be missing.
-        let early = patch.rim.iter().filter(|edge| edge.iter().all(inside)).count();
-        assert!(20 * early <= patch.rim.len(), "{early} of {}", patch.rim.len());
+    for mesh in [cylinder(), grid(100)] {
+        let (_, _, patches) = grown(&mesh, 0.45);
+        for (patch, outline) in patches {
+            let inside = |node: &u32| outline.depth(patch.places[*node as usize]) > 0.0;
+            // The last two in a hundred triangles may be missing.
+            let early = patch.rim.iter().filter(|edge| edge.iter().all(inside)).count();
+            assert!(20 * early <= patch.rim.len(), "{early} of {}", patch.rim.len());
+        }
     }
 }
 
