@@ -13,6 +13,7 @@ pub mod checks;
 pub mod command;
 pub mod error;
 pub mod export;
+pub mod files;
 mod generate;
 pub mod import;
 pub mod job;

@@ -33,6 +33,11 @@ impl HatchMap {
         Ok(Self::new(name, map.grid, Some(map.stroke_map), Some(preset.clone())))
     }
 
+    /// A map that was generated already.
+    pub fn from_map(name: &str, map: &tam_gen::Map) -> Self {
+        Self::new(name, map.grid.clone(), Some(map.stroke_map.clone()), Some(map.preset.clone()))
+    }
+
     /// A map that was read from files. Where they hold their preset, it serves to make finer tones.
     pub fn from_import(name: &str, imported: Imported) -> Self {
         let preset = imported.preset_toml.and_then(|toml| Preset::from_toml(&toml, name).ok());

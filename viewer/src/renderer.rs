@@ -125,8 +125,8 @@ impl Renderer {
     }
 
     /// Takes a map; it is uploaded when a method first draws with it.
-    pub fn map(&self, map: HatchMap) -> GpuMap {
-        GpuMap::new(map)
+    pub fn map(&self, map: impl Into<Arc<HatchMap>>) -> GpuMap {
+        GpuMap::new(map.into())
     }
 
     /// A target to draw into.

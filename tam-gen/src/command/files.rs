@@ -7,6 +7,7 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ImageBuffer, PixelWithColorType};
 
 use super::Failure;
+use crate::files::{folder_of, temporary};
 
 /// Writes a file so that it is there complete or not at all; replaces one only with `force`.
 ///
@@ -14,13 +15,10 @@ use super::Failure;
 /// It cannot be written, or is there already.
 pub fn write(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
     check_free(path, force)?;
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     let failed = |error: std::io::Error| Failure::write(path, &error);
     std::fs::create_dir_all(folder).map_err(failed)?;
-    let mut file = builder().tempfile_in(folder).map_err(failed)?;
+    let mut file = temporary().tempfile_in(folder).map_err(failed)?;
     file.write_all(bytes).map_err(failed)?;
     if force {
         file.persist(path).map_err(|error| Failure::write(path, &error.error))?;
@@ -66,16 +64,4 @@ pub fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
         });
     }
     Ok(())
-}
-
-/// A temporary file that, renamed, is as readable as any new file.
-fn builder() -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".tam-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder
 }

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
+use crate::files::temporary;
+
 use super::ExportError;
 
 /// Files on their way into a folder: written beside their targets under temporary names, then renamed together.
@@ -115,14 +117,6 @@ fn take_back(placed: Vec<(PathBuf, Option<TempPath>)>) {
     }
 }
 
-/// A temporary file that, renamed, has the permissions of any new file.
 fn temporary_in(dir: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".tam-gen-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(if dir.as_os_str().is_empty() { Path::new(".") } else { dir })
+    temporary().tempfile_in(if dir.as_os_str().is_empty() { Path::new(".") } else { dir })
 }

@@ -44,6 +44,23 @@ impl Range {
     }
 }
 
+/// Numbers that are whole in a struct are rounded to, not cut; others stay as they are.
+trait Rounded {
+    fn rounded(number: f64) -> Self;
+}
+
+impl Rounded for u32 {
+    fn rounded(number: f64) -> Self {
+        number.round() as Self
+    }
+}
+
+impl Rounded for f64 {
+    fn rounded(number: f64) -> Self {
+        number
+    }
+}
+
 /// Declares an options struct, its `Default`, its rows of the range table, and a listing of its numbers.
 macro_rules! options {
     (
@@ -75,6 +92,16 @@ macro_rules! options {
             /// Every number of the struct with its key, for validation.
             pub fn numbers(&self) -> Vec<(&'static str, f64)> {
                 vec![$( (stringify!($field), self.$field as f64), )*]
+            }
+
+            /// Sets the number of this key; `false`, and nothing is changed, where there is none. Whole numbers are
+            /// rounded to; whether the result makes sense is for [`Preset::validate`](crate::Preset::validate) to say.
+            pub fn set_number(&mut self, key: &str, number: f64) -> bool {
+                match key {
+                    $( stringify!($field) => self.$field = Rounded::rounded(number), )*
+                    _ => return false,
+                }
+                true
             }
         }
 
@@ -173,6 +200,17 @@ macro_rules! stroke_options {
                 let mut numbers = vec![("angle_deg", self.angle_deg)];
                 $( numbers.extend(self.$field.map(|number| (stringify!($field), number))); )*
                 numbers
+            }
+
+            /// Sets the number of this key, or leaves it to `[stroke]` again; `false`, and nothing is changed, where
+            /// there is no such key or the direction is to be left out.
+            pub fn set_number(&mut self, key: &str, number: Option<f64>) -> bool {
+                match (key, number) {
+                    ("angle_deg", Some(angle_deg)) => self.angle_deg = angle_deg,
+                    $( (stringify!($field), number) => self.$field = number, )*
+                    _ => return false,
+                }
+                true
             }
         }
     };
@@ -314,6 +352,25 @@ mod tests {
         let counts: Vec<u32> = (0..6).map(|column| placement.candidates(column, 6)).collect();
         assert_eq!(counts, [1000, 820, 640, 460, 280, 100]);
         assert_eq!(placement.candidates(0, 1), 1000);
+    }
+
+    #[test]
+    fn numbers_are_set_by_the_keys_under_which_they_are_listed() {
+        let mut stroke = StrokeOptions::default();
+        for (key, number) in StrokeOptions::default().numbers() {
+            assert!(stroke.set_number(key, number + 0.125), "{key}");
+        }
+        let moved = stroke.numbers().into_iter().zip(StrokeOptions::default().numbers());
+        assert!(moved.into_iter().all(|((_, now), (_, before))| now == before + 0.125));
+        assert!(!stroke.set_number("size", 1.0));
+        let mut map = MapOptions::default();
+        assert!(map.set_number("size", 511.6) && map.size == 512);
+
+        let mut family = FamilyOptions::default();
+        assert!(family.set_number("angle_deg", Some(30.0)) && family.set_number("width_px", Some(2.0)));
+        assert_eq!(family.numbers(), [("angle_deg", 30.0), ("width_px", 2.0)]);
+        assert!(family.set_number("width_px", None) && family.numbers() == [("angle_deg", 30.0)]);
+        assert!(!family.set_number("angle_deg", None) && !family.set_number("nothing", Some(1.0)));
     }
 
     #[test]

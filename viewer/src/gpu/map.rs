@@ -61,7 +61,7 @@ pub enum MapError {
 /// A map, uploaded in the kinds that are asked for.
 pub struct GpuMap {
     /// The map itself.
-    pub source: HatchMap,
+    pub source: Arc<HatchMap>,
     uploaded: Mutex<Vec<(MapKind, Arc<MapTextures>)>>,
 }
 
@@ -77,7 +77,7 @@ pub(crate) struct MapTextures {
 }
 
 impl GpuMap {
-    pub(crate) fn new(source: HatchMap) -> Self {
+    pub(crate) fn new(source: Arc<HatchMap>) -> Self {
         Self { source, uploaded: Mutex::default() }
     }
 

@@ -6,7 +6,8 @@ use glam::{Quat, Vec3, vec3};
 use rayon::prelude::*;
 
 /// A periodic movement of a mesh whose box is about the origin with a longest side of 2.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Deform {
     /// Wrings the mesh about y, there and back, up to 69° at the ends.
     Twist,

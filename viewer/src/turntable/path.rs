@@ -10,7 +10,8 @@ use crate::scene::{Light, LightKind, Scene};
 const ZOOM: f64 = 5.0;
 
 /// A closed path: phase 1 is phase 0 again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Path {
     /// The camera goes once around the mesh.
     Orbit,

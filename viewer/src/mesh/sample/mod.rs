@@ -29,7 +29,8 @@ use glam::Vec3;
 use super::{RawMesh, RawPart};
 
 /// A mesh that can be had without a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Sample {
     /// A flat square that faces the front.
     Quad,

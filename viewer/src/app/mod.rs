@@ -1,0 +1,36 @@
+//! The application: a stroke material is made here, live, on any mesh.
+//!
+//! ```text
+//! panels ─► Command ─► apply ─► State ─► Engine (workers) ─► Results ─► panels
+//! ```
+//!
+//! Panels are functions of the state that push commands; [`apply`](apply::apply) is the one place where state changes.
+//! Workers make maps, surfaces and pictures beside the window, which never waits; the newest request wins. The device that
+//! draws is not the window's: if it is lost, the window stays.
+
+mod actions;
+mod apply;
+mod ask;
+mod command;
+mod history;
+mod layout;
+mod panels;
+mod pick;
+mod randomise;
+mod run;
+mod session;
+mod state;
+mod style;
+mod textures;
+mod watch;
+mod window;
+mod words;
+mod work;
+
+pub use apply::{Effect, MESH_KINDS};
+pub use command::Command;
+pub use layout::Pane;
+pub use run::{AppError, run};
+pub use state::*;
+pub use window::{App, Options};
+pub use work::Results;

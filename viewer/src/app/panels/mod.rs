@@ -1,0 +1,74 @@
+//! The panels: functions of the state that push commands.
+
+mod checks;
+mod export;
+mod map;
+mod map_pictures;
+mod menu;
+mod notices;
+mod number;
+mod orbit;
+mod palette;
+mod presets;
+mod scene;
+mod schedule;
+mod shading;
+mod status;
+mod stroke_preview;
+mod strokes;
+mod view;
+mod windows;
+
+use egui::Ui;
+
+use super::actions::Action;
+use super::command::Command;
+use super::layout::Pane;
+use super::state::State;
+use super::textures::Textures;
+use super::work::Results;
+
+pub use menu::menu_bar;
+pub use notices::{Shown as ShownNotice, notices};
+pub(super) use presets::{file_key, preset_key};
+pub(super) use scene::{mesh_key, offered as offered_meshes};
+pub use status::status_bar;
+pub use view::ViewReport;
+pub use windows::dialogs;
+
+/// What panels are drawn from, and what they ask for.
+pub struct Panel<'a> {
+    /// All state.
+    pub state: &'a State,
+    /// What was made of it.
+    pub results: &'a Results,
+    /// Pictures on the screen.
+    pub textures: &'a mut Textures,
+    /// What the user asks for.
+    pub commands: &'a mut Vec<Command>,
+    /// What the view found out about itself.
+    pub view: &'a mut ViewReport,
+    /// Every action, for menus.
+    pub can: &'a dyn Fn(&Action) -> bool,
+}
+
+impl Panel<'_> {
+    /// Asks for something.
+    pub fn ask(&mut self, command: Command) {
+        self.commands.push(command);
+    }
+
+    /// Draws a panel.
+    pub fn show(&mut self, ui: &mut Ui, pane: Pane) {
+        match pane {
+            Pane::View => view::show(self, ui),
+            Pane::Presets => presets::show(self, ui),
+            Pane::Strokes => strokes::show(self, ui),
+            Pane::Shading => shading::show(self, ui),
+            Pane::Scene => scene::show(self, ui),
+            Pane::Map => map::show(self, ui),
+            Pane::Checks => checks::show(self, ui),
+            Pane::Export => export::show(self, ui),
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Camera and light under the mouse.
+
+use egui::{Modifiers, PointerButton, Vec2};
+use glam::{DVec2, DVec3};
+
+use crate::app::state::Navigation;
+use crate::scene::{Light, LightKind};
+use crate::{Camera, ranges};
+
+/// Degrees that a drag by a point turns.
+const DEGREES_PER_POINT: f64 = 0.4;
+
+/// What a drag does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drag {
+    Turn,
+    Shift,
+    Zoom,
+    Light,
+}
+
+/// What a drag with this button does.
+pub(super) fn meaning(navigation: Navigation, button: PointerButton, held: Modifiers) -> Option<Drag> {
+    use PointerButton::{Middle, Primary, Secondary};
+    // The light is on the right button in every scheme, but where that zooms.
+    match (navigation, button) {
+        (Navigation::Simple, Primary) if held.shift => Some(Drag::Shift),
+        (Navigation::Simple, Primary) => Some(Drag::Turn),
+        (Navigation::Simple, Middle) => Some(Drag::Shift),
+        (Navigation::Blender, Middle) if held.shift => Some(Drag::Shift),
+        (Navigation::Blender, Middle) if held.command => Some(Drag::Zoom),
+        (Navigation::Blender, Middle) => Some(Drag::Turn),
+        (Navigation::Maya, Primary) if held.alt => Some(Drag::Turn),
+        (Navigation::Maya, Middle) if held.alt => Some(Drag::Shift),
+        (Navigation::Maya, Secondary) if held.alt => Some(Drag::Zoom),
+        (_, Primary) if held.shift => Some(Drag::Light),
+        (_, Secondary) => Some(Drag::Light),
+        _ => None,
+    }
+}
+
+/// The camera after a drag by `by`, in points, in a view of this height.
+pub(super) fn dragged(camera: &Camera, drag: Drag, by: Vec2, height: f32) -> Camera {
+    let mut moved = *camera;
+    let (dx, dy) = (f64::from(by.x), f64::from(by.y));
+    match drag {
+        Drag::Turn => {
+            moved.azimuth_deg = (camera.azimuth_deg - dx * DEGREES_PER_POINT).rem_euclid(360.0);
+            moved.elevation_deg = (camera.elevation_deg + dy * DEGREES_PER_POINT).clamp(-90.0, 90.0);
+        }
+        Drag::Shift => {
+            let (right, up) = axes(camera);
+            let unit = camera.pixel_at_1(height.max(1.0) as u32) * camera.distance;
+            let limit = ranges::COORDINATE;
+            let target = camera.target - right * (dx * unit) + up * (dy * unit);
+            moved.target = target.clamp(DVec3::splat(limit.min), DVec3::splat(limit.max));
+        }
+        Drag::Zoom => return zoomed(camera, -dy),
+        Drag::Light => {}
+    }
+    moved
+}
+
+/// The camera nearer (> 0) or further, by points of a wheel or a drag.
+pub(super) fn zoomed(camera: &Camera, points: f64) -> Camera {
+    let distance = camera.distance * (-points * 0.004).exp();
+    Camera { distance: distance.clamp(ranges::DISTANCE.min, ranges::DISTANCE.max), ..*camera }
+}
+
+/// Right and up of the picture, in the world.
+pub(super) fn axes(camera: &Camera) -> (DVec3, DVec3) {
+    let view = camera.view_from_world();
+    (view.row(0).truncate(), view.row(1).truncate())
+}
+
+/// Towards a light, unit, as seen from what the camera looks at.
+pub(super) fn towards(light: &Light, camera: &Camera) -> DVec3 {
+    match light.kind {
+        LightKind::Directional { direction } => (-direction).normalize_or(DVec3::Y),
+        LightKind::Positional { position } | LightKind::Spot { position, .. } => {
+            (position - camera.target).normalize_or(DVec3::Y)
+        }
+    }
+}
+
+/// The light turned about what the camera looks at, to a direction; its distance stays.
+pub(super) fn turned(light: &Light, camera: &Camera, towards: DVec3) -> Light {
+    let towards = towards.normalize_or(DVec3::Y);
+    let mut turned = *light;
+    match &mut turned.kind {
+        LightKind::Directional { direction } => *direction = -towards,
+        LightKind::Positional { position } => {
+            *position = camera.target + towards * position.distance(camera.target);
+        }
+        LightKind::Spot { position, direction, .. } => {
+            *position = camera.target + towards * position.distance(camera.target);
+            *direction = -towards;
+        }
+    }
+    turned
+}
+
+/// The light after a drag anywhere: it turns as the camera would.
+pub(super) fn light_dragged(light: &Light, camera: &Camera, by: Vec2) -> Light {
+    let (right, up) = axes(camera);
+    let (dx, dy) = (f64::from(by.x) * DEGREES_PER_POINT, f64::from(by.y) * DEGREES_PER_POINT);
+    let turn = glam::DQuat::from_axis_angle(up, dx.to_radians())
+        * glam::DQuat::from_axis_angle(right, dy.to_radians());
+    turned(light, camera, turn * towards(light, camera))
+}
+
+/// The direction of a point on the ball about the view's middle, `at` in radii; `behind`: on its far side.
+pub(super) fn on_ball(camera: &Camera, at: DVec2, behind: bool) -> DVec3 {
+    let (right, up) = axes(camera);
+    let length = at.length();
+    let at = if length > 1.0 { at / length } else { at };
+    let depth = (1.0 - at.length_squared()).max(0.0).sqrt();
+    let towards_viewer = if behind { -depth } else { depth };
+    right * at.x + up * at.y - camera.forward() * towards_viewer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shifted_camera_moves_the_mesh_with_the_mouse() {
+        let camera = Camera::default();
+        let by = egui::vec2(30.0, -20.0);
+        let moved = dragged(&camera, Drag::Shift, by, 400.0);
+        let place = |camera: &Camera| camera.clip_from_world([400, 400], 2.0).project_point3(DVec3::ZERO);
+        let shift = (place(&moved) - place(&camera)).truncate() * 200.0;
+        assert!((shift.x - 30.0).abs() < 0.5 && (shift.y - 20.0).abs() < 0.5, "{shift}");
+    }
+
+    #[test]
+    fn a_light_on_the_ball_lies_under_the_mouse() {
+        let camera = Camera::default();
+        let (right, up) = axes(&camera);
+        for (x, y, behind) in [(0.3, 0.5, false), (-0.7, 0.1, true), (2.0, 0.0, false)] {
+            let towards = on_ball(&camera, DVec2::new(x, y), behind);
+            assert!((towards.length() - 1.0).abs() < 1e-9);
+            let seen = DVec2::new(towards.dot(right), towards.dot(up));
+            let wanted = DVec2::new(x, y) / DVec2::new(x, y).length().max(1.0);
+            assert!(seen.distance(wanted) < 1e-9);
+            assert!(behind == (towards.dot(camera.forward()) > 0.0) || x > 1.0);
+        }
+        let light = Light::at(DVec3::new(0.0, 3.0, 0.0));
+        let moved = turned(&light, &camera, DVec3::X);
+        assert!(matches!(moved.kind, LightKind::Positional { position } if position.distance(DVec3::new(3.0, 0.0, 0.0)) < 1e-9));
+    }
+
+    #[test]
+    fn no_drag_leaves_the_ranges() {
+        let mut camera = Camera::default();
+        for _ in 0..2000 {
+            camera = zoomed(&camera, 500.0);
+            camera = dragged(&camera, Drag::Turn, egui::vec2(1e4, 1e4), 100.0);
+            camera = dragged(&camera, Drag::Shift, egui::vec2(-1e6, 1e6), 0.0);
+        }
+        assert!(ranges::DISTANCE.contains(camera.distance) && camera.elevation_deg == 90.0);
+        assert!(ranges::COORDINATE.contains(camera.target.x) && camera.target.is_finite());
+    }
+}

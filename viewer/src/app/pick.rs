@@ -1,0 +1,76 @@
+//! Where the mouse points on a mesh.
+
+use glam::{DVec2, DVec3, Vec3};
+use rayon::prelude::*;
+
+use crate::Camera;
+use crate::mesh::Mesh;
+
+/// A line of sight, in the world.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where it starts.
+    pub from: DVec3,
+    /// Unit.
+    pub along: DVec3,
+}
+
+impl Ray {
+    /// Through a place of the picture, -1..=1 from left to right and from bottom to top; `aspect` is width over height.
+    pub fn through(camera: &Camera, at: DVec2, aspect: f64) -> Self {
+        let view = camera.view_from_world();
+        let (right, up) = (view.row(0).truncate(), view.row(1).truncate());
+        let half = (camera.field_of_view_deg.to_radians() * 0.5).tan();
+        let along = camera.forward() + right * (at.x * half * aspect) + up * (at.y * half);
+        Self { from: camera.place(), along: along.normalize() }
+    }
+}
+
+/// The nearest point of a mesh at rest on a ray.
+pub fn pick(mesh: &Mesh, ray: &Ray) -> Option<DVec3> {
+    let (from, along) = (ray.from.as_vec3(), ray.along.as_vec3());
+    let hit = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| mesh.positions[vertex as usize]);
+        distance(from, along, a, b, c)
+    };
+    let nearest = mesh.triangles.par_iter().filter_map(hit).reduce_with(f32::min)?;
+    Some(ray.from + ray.along * f64::from(nearest))
+}
+
+/// Where the ray meets a triangle, seen from either side (Möller and Trumbore 1997).
+fn distance(from: Vec3, along: Vec3, a: Vec3, b: Vec3, c: Vec3) -> Option<f32> {
+    let (ab, ac) = (b - a, c - a);
+    let across = along.cross(ac);
+    let volume = ab.dot(across);
+    if volume == 0.0 {
+        return None;
+    }
+    let to_start = from - a;
+    let u = to_start.dot(across) / volume;
+    let turned = to_start.cross(ab);
+    let v = along.dot(turned) / volume;
+    let distance = ac.dot(turned) / volume;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0).then_some(distance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::prepare;
+    use crate::mesh::sample::Sample;
+
+    #[test]
+    fn what_is_picked_is_under_the_mouse_and_on_the_near_side() {
+        let mesh = prepare(Sample::Sphere.build(20_000)).expect("a sphere").mesh;
+        let camera = Camera::default();
+        for at in [DVec2::ZERO, DVec2::new(0.3, -0.2), DVec2::new(-0.5, 0.4)] {
+            let ray = Ray::through(&camera, at, 1.5);
+            let point = pick(&mesh, &ray).expect("the sphere is hit");
+            assert!((point.length() - 1.0).abs() < 2e-3, "{point}");
+            let placed = camera.clip_from_world([300, 200], 2.0).project_point3(point);
+            assert!(placed.truncate().distance(at) < 1e-5, "{placed}");
+            assert!(point.dot(camera.forward()) < 0.0);
+        }
+        assert!(pick(&mesh, &Ray::through(&camera, DVec2::new(0.99, 0.99), 1.5)).is_none());
+    }
+}

@@ -1,0 +1,107 @@
+//! Opens the window.
+
+use std::path::PathBuf;
+
+use eframe::NativeOptions;
+use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup};
+
+use super::window::{App, Options};
+
+/// Smallest window in which everything can be reached, in points.
+const LEAST: [f32; 2] = [880.0, 560.0];
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum AppError {
+    /// The system gives none.
+    #[error("no window can be opened: {0}")]
+    Window(String),
+    /// The picture of the window could not be written.
+    #[error("the picture of the window could not be written: {0}")]
+    Picture(String),
+}
+
+/// How the window is opened.
+#[derive(Clone, Debug, Default)]
+pub struct WindowOptions {
+    /// What the application starts with.
+    pub app: Options,
+    /// Width and height in points; `None`: as it was left.
+    pub size: Option<[f32; 2]>,
+    /// Write a picture of the window here once all is drawn, and close it.
+    pub picture: Option<PathBuf>,
+}
+
+/// Opens the window and returns when it is closed.
+///
+/// # Errors
+/// [`AppError`]: no display, no adapter, or the picture that was asked for could not be written.
+pub fn run(options: WindowOptions) -> Result<(), AppError> {
+    let mut viewport = egui::ViewportBuilder::default()
+        .with_title("tam-viewer")
+        .with_app_id("tam-viewer")
+        .with_min_inner_size(LEAST)
+        .with_inner_size(options.size.unwrap_or([1440.0, 900.0]));
+    if options.size.is_none() && options.picture.is_none() {
+        viewport = viewport.with_maximized(false);
+    }
+    let native = NativeOptions {
+        viewport,
+        persist_window: options.size.is_none() && options.picture.is_none(),
+        wgpu_options: WgpuConfiguration { wgpu_setup: WgpuSetup::default(), ..WgpuConfiguration::default() },
+        ..NativeOptions::default()
+    };
+    let (sent, written) = std::sync::mpsc::channel();
+    let creator = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
+        let app = App::new(&creation.egui_ctx, options.app)?;
+        Ok(match options.picture {
+            Some(path) => Box::new(Photographer { app, path, still: 0, asked: false, sent }),
+            None => Box::new(app) as Box<dyn eframe::App>,
+        })
+    };
+    eframe::run_native("tam-viewer", native, Box::new(creator)).map_err(|error| AppError::Window(error.to_string()))?;
+    match written.try_recv() {
+        Ok(Err(problem)) => Err(AppError::Picture(problem)),
+        _ => Ok(()),
+    }
+}
+
+/// Frames without any work after which the window has come to rest.
+const AT_REST: u32 = 8;
+
+/// Runs the application until all is drawn, takes a picture of the window, and closes it.
+struct Photographer {
+    app: App,
+    path: PathBuf,
+    still: u32,
+    asked: bool,
+    sent: std::sync::mpsc::Sender<Result<(), String>>,
+}
+
+impl eframe::App for Photographer {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
+        eframe::App::ui(&mut self.app, ui, frame);
+        let ready = self.app.results().picture.is_some() && !self.app.is_busy();
+        self.still = if ready { self.still + 1 } else { 0 };
+        ui.ctx().request_repaint();
+        if self.still > AT_REST && !self.asked {
+            self.asked = true;
+            let (path, sent, ctx) = (self.path.clone(), self.sent.clone(), ui.ctx().clone());
+            ui.ctx().request_screenshot(move |image| {
+                // A window that is closed meanwhile asks for no answer.
+                let _ = sent.send(write(&path, &image));
+                ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+                ctx.request_repaint();
+            });
+        }
+    }
+}
+
+fn write(path: &std::path::Path, image: &egui::ColorImage) -> Result<(), String> {
+    let pixels = image.pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
+    let picture = image::RgbaImage::from_raw(image.size[0] as u32, image.size[1] as u32, pixels)
+        .ok_or_else(|| "it has no pixels".to_owned())?;
+    let mut png = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut png, image::ImageFormat::Png).map_err(|error| error.to_string())?;
+    tam_gen::files::replace(path, png.get_ref()).map_err(|error| format!("{}: {error}", path.display()))
+}

@@ -1,0 +1,127 @@
+//! How strokes are put on the surface.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::mesh::Mesh;
+use crate::scene::{LightKind, Lights};
+use crate::surface::{FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, SurfaceOptions};
+use crate::{Mapping, Method, RenderParams};
+
+/// What strokes follow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FieldChoice {
+    /// Rings round a finger.
+    #[default]
+    Curvature,
+    /// Along a finger.
+    LowerCurvature,
+    /// Across the light.
+    Light,
+    /// The mesh's own uv.
+    Uv,
+    /// One direction in space.
+    Constant(DVec3),
+}
+
+impl FieldChoice {
+    /// All kinds, in the order in which they are offered.
+    pub const ALL: [Self; 5] =
+        [Self::Curvature, Self::LowerCurvature, Self::Light, Self::Uv, Self::Constant(DVec3::Y)];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Curvature => "Around the form",
+            Self::LowerCurvature => "Along the form",
+            Self::Light => "Across the light",
+            Self::Uv => "The mesh's uv",
+            Self::Constant(_) => "One direction",
+        }
+    }
+}
+
+/// Method, mapping, and what both need of the surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Look {
+    /// How frames are drawn.
+    pub params: RenderParams,
+    /// What strokes follow.
+    pub field: FieldChoice,
+    /// How far directions spread, as a multiple of the default.
+    pub smoothing: f64,
+    /// Strokes drawn on the surface, which the field follows.
+    pub guides: Vec<Guide>,
+    /// Lay patches by projection on planes.
+    pub planar: bool,
+    /// Stripes per unit at their coarsest.
+    pub lines_per_unit: f64,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            params: RenderParams { method: Method::SixWay, mapping: Mapping::Patches, ..RenderParams::default() },
+            field: FieldChoice::default(),
+            smoothing: 1.0,
+            guides: Vec::new(),
+            planar: false,
+            lines_per_unit: StripeOptions::default().lines_per_unit,
+        }
+    }
+}
+
+impl Look {
+    /// The same, as far as a mesh allows: uv where it has none become patches.
+    pub fn fitted(&self, mesh: &Mesh) -> Self {
+        let mut fitted = self.clone();
+        if mesh.uvs.is_empty() {
+            if fitted.params.mapping == Mapping::Uv {
+                fitted.params.mapping = Mapping::Patches;
+            }
+            if fitted.field == FieldChoice::Uv {
+                fitted.field = FieldChoice::Curvature;
+            }
+        }
+        fitted
+    }
+
+    /// What has to be made of the surface before it can be drawn; `None`: nothing. `world_from_mesh` is the identity.
+    pub fn surface_options(&self, lights: &Lights) -> Option<SurfaceOptions> {
+        let params = &self.params;
+        let needed = params.needed_mapping();
+        let tiles_per_unit = params.tiles_per_unit;
+        let patches = (needed == Some(Mapping::Patches)).then(|| PatchOptions {
+            tiles_per_unit,
+            follow: params.follow,
+            planar: self.planar,
+            ..PatchOptions::default()
+        });
+        let lapped = (needed == Some(Mapping::Lapped))
+            .then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
+        let stripes = (params.method == Method::Stripes)
+            .then(|| StripeOptions { lines_per_unit: self.lines_per_unit, ..StripeOptions::default() });
+        if patches.is_none() && lapped.is_none() && stripes.is_none() {
+            return None;
+        }
+        let source = match self.field {
+            FieldChoice::Curvature => FieldSource::Curvature,
+            FieldChoice::LowerCurvature => FieldSource::LowerCurvature,
+            FieldChoice::Light => FieldSource::Light(to_light(lights)),
+            FieldChoice::Uv => FieldSource::Uv,
+            FieldChoice::Constant(direction) => FieldSource::Constant(direction),
+        };
+        let field = FieldOptions { source, smoothing: self.smoothing, guides: self.guides.clone() };
+        Some(SurfaceOptions { field, patches, lapped, stripes })
+    }
+}
+
+/// Towards the first light.
+fn to_light(lights: &Lights) -> DVec3 {
+    lights.lights.first().map_or(DVec3::Y, |light| match light.kind {
+        LightKind::Directional { direction } => -direction,
+        LightKind::Positional { position } | LightKind::Spot { position, .. } => position,
+    })
+}

@@ -1,0 +1,478 @@
+//! The window: draws the panels, carries out what they ask for, and lets the engine follow.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{Context, Ui, ViewportCommand};
+use egui_tiles::{SimplificationOptions, TileId, UiResponse};
+
+use super::actions::{Action, actions, is_possible};
+use super::apply::{Effect, Model, apply, tell};
+use super::ask::Asker;
+use super::command::Command;
+use super::history::History;
+use super::layout::{Pane, default_layout};
+use super::panels::{Panel, ShownNotice, ViewReport, dialogs, menu_bar, notices, status_bar};
+use super::session::{self, Session};
+use super::state::{Dialog, MeshSource, Notice, PresetSource, Severity, State};
+use super::textures::Textures;
+use super::watch::FileWatch;
+use super::work::{Demand, Engine, Results, Wake};
+use super::{panels, style};
+
+/// How long a movement by the wheel is taken to go on, in seconds.
+const WHEEL_S: f64 = 0.18;
+
+/// Time between writes of the session, in seconds.
+const SESSION_S: f64 = 2.0;
+
+/// Seconds of one round of what plays.
+const ROUND_S: f64 = 10.0;
+
+/// Share of the view's sides left free around the mesh.
+const MARGIN: f64 = 0.08;
+
+/// How the window starts.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Where the session is kept; `None`: nowhere.
+    pub session: Option<PathBuf>,
+    /// Files to open.
+    pub files: Vec<PathBuf>,
+}
+
+/// The application.
+pub struct App {
+    model: Model,
+    engine: Engine,
+    results: Results,
+    textures: Textures,
+    asker: Asker,
+    watch: FileWatch,
+    view: ViewReport,
+    notices: Vec<ShownNotice>,
+    messages: Vec<Notice>,
+    session: Option<PathBuf>,
+    written: Option<(State, f64)>,
+    thumbnails: HashSet<String>,
+    camera_moved_s: f64,
+    title: String,
+}
+
+impl App {
+    /// Starts the application in a context, with the session that was left.
+    ///
+    /// # Errors
+    /// Where the system gives no threads.
+    pub fn new(ctx: &Context, options: Options) -> std::io::Result<Self> {
+        style::install(ctx);
+        let repaint = ctx.clone();
+        let wake: Wake = Arc::new(move || repaint.request_repaint());
+        let engine = Engine::start(&wake)?;
+        let mut state = State::default();
+        state.transient.frame_mesh = true;
+        let mut layout = default_layout();
+        let restored = options.session.as_deref().map(session::read);
+        match restored {
+            Some(Ok(Some(session))) => {
+                state = session.state;
+                layout = session.layout;
+                if !session.closed && state.is_unsaved() {
+                    let text = "The last session did not end properly. What was not saved is still here.";
+                    tell(&mut state, Severity::Info, text.to_owned());
+                }
+            }
+            Some(Err(error)) => tell(&mut state, Severity::Warning, format!("{error}. It starts anew.")),
+            _ => {}
+        }
+        look_up_saved(&mut state);
+        let mut app = Self {
+            model: Model { state, history: History::default(), layout },
+            engine,
+            results: Results::default(),
+            textures: Textures::default(),
+            asker: Asker::new(Arc::clone(&wake)),
+            watch: FileWatch::new(wake),
+            view: ViewReport::default(),
+            notices: Vec::new(),
+            messages: Vec::new(),
+            session: options.session,
+            written: None,
+            thumbnails: HashSet::new(),
+            camera_moved_s: f64::NEG_INFINITY,
+            title: String::new(),
+        };
+        if !options.files.is_empty() {
+            app.carry_out(ctx, vec![Command::OpenFiles(options.files)]);
+        }
+        Ok(app)
+    }
+
+    /// All state.
+    pub fn state(&self) -> &State {
+        &self.model.state
+    }
+
+    /// What was made so far.
+    pub fn results(&self) -> &Results {
+        &self.results
+    }
+
+    /// Every message so far.
+    pub fn messages(&self) -> &[Notice] {
+        &self.messages
+    }
+
+    /// Whether anything is still being made or drawn.
+    pub fn is_busy(&self) -> bool {
+        self.engine.is_busy()
+    }
+
+    /// Carries out a command, as if a panel had asked for it.
+    pub fn run(&mut self, ctx: &Context, command: Command) {
+        self.carry_out(ctx, vec![command]);
+    }
+
+    /// Draws the whole window and goes on with all work.
+    pub fn show(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        style::follow(&ctx, &self.model.state.settings);
+        let mut commands = self.collect();
+        let actions = actions(&self.model.state);
+        self.shortcuts(&ctx, &actions, &mut commands);
+        dropped(&ctx, &mut commands);
+        self.panels(ui, &actions, &mut commands);
+        self.closing(&ctx, &mut commands);
+        self.carry_out(&ctx, commands);
+        let time_s = ctx.input(|input| input.time);
+        self.play(&ctx);
+        self.frame_mesh();
+        self.follow(&ctx, time_s);
+        self.thumbnails();
+        let held = ctx.input(|input| input.pointer.any_down());
+        if self.model.history.watch(time_s, held, &self.model.state) {
+            ctx.request_repaint_after(Duration::from_millis(100));
+        }
+        self.keep(&ctx, time_s, held);
+        self.name_window(&ctx);
+        let told = std::mem::take(&mut self.model.state.transient.notices);
+        for notice in told {
+            self.messages.push(notice.clone());
+            self.notices.push(ShownNotice::new(notice));
+        }
+        notices(&ctx, &mut self.notices);
+    }
+
+    /// What workers, dialogs and other programs have brought.
+    fn collect(&mut self) -> Vec<Command> {
+        let (told, back) = self.engine.collect(&mut self.results);
+        self.model.state.transient.notices.extend(told);
+        let mut commands: Vec<Command> = self.asker.answers().collect();
+        commands.extend(back.map(Command::SetMesh));
+        if self.watch.changed() {
+            commands.extend(self.changed_on_disk());
+        }
+        commands
+    }
+
+    /// What to do about a preset file that has changed.
+    fn changed_on_disk(&mut self) -> Option<Command> {
+        let state = &self.model.state;
+        let path = state.document.source.file()?.clone();
+        // A file that is just being written is read at its next change.
+        let preset = tam_gen::Preset::load(&path).ok()?;
+        if state.saved_preset() == Some(&preset) {
+            None
+        } else if state.is_unsaved() {
+            Some(Command::ShowDialog(Some(Dialog::ChangedOnDisk(path))))
+        } else {
+            Some(Command::Reload)
+        }
+    }
+
+    fn shortcuts(&self, ctx: &Context, actions: &[Action], commands: &mut Vec<Command>) {
+        let dialog = self.model.state.transient.dialog.is_some();
+        let typing = ctx.text_edit_focused() || dialog;
+        let mut keyed: Vec<&Action> = actions.iter().filter(|action| action.shortcut.is_some()).collect();
+        // Those with more keys held come first: others would match them too.
+        keyed.sort_by_key(|action| std::cmp::Reverse(action.shortcut.map_or(0, |keys| held_keys(keys.modifiers))));
+        for action in keyed {
+            let Some(keys) = action.shortcut else { continue };
+            let plain = !keys.modifiers.command;
+            if (plain && typing) || dialog {
+                continue;
+            }
+            if ctx.input_mut(|input| input.consume_shortcut(&keys))
+                && is_possible(action, &self.model.state, &self.model.history)
+            {
+                commands.push(action.command.clone());
+            }
+        }
+    }
+
+    fn panels(&mut self, ui: &mut Ui, actions: &[Action], commands: &mut Vec<Command>) {
+        let Model { state, history, layout } = &mut self.model;
+        let can = |action: &Action| is_possible(action, state, history);
+        let mut panel = Panel {
+            state,
+            results: &self.results,
+            textures: &mut self.textures,
+            commands,
+            view: &mut self.view,
+            can: &can,
+        };
+        *panel.view = ViewReport { size_px: [0; 2], dragged: false, ..panel.view.clone() };
+        egui::Panel::top("menu").show(ui, |ui| menu_bar(&mut panel, ui, actions));
+        egui::Panel::bottom("status").show(ui, |ui| status_bar(&mut panel, ui));
+        let ctx = ui.ctx().clone();
+        egui::CentralPanel::no_frame().show(ui, |ui| layout.ui(&mut Docks { panel: &mut panel }, ui));
+        dialogs(&mut panel, &ctx, actions);
+    }
+
+    fn carry_out(&mut self, ctx: &Context, commands: Vec<Command>) {
+        let camera = self.model.state.camera;
+        for command in commands {
+            for effect in apply(&mut self.model, command) {
+                self.perform(ctx, effect);
+            }
+        }
+        if self.model.state.camera != camera {
+            self.camera_moved_s = ctx.input(|input| input.time);
+        }
+    }
+
+    fn perform(&mut self, ctx: &Context, effect: Effect) {
+        let mut started = true;
+        match effect {
+            Effect::Ask(ask) => self.asker.ask(ask),
+            Effect::Export => started = self.engine.export(&self.model.state),
+            Effect::SavePicture(path) => {
+                started = self.engine.save_picture(&self.model.state, &self.results, path);
+            }
+            Effect::SaveTurntable(path) => {
+                started = self.engine.save_turntable(&self.model.state, &self.results, path);
+            }
+            Effect::CancelFile => self.engine.cancel_file(),
+            Effect::Reveal(folder) => {
+                if let Err(error) = opener::open(&folder) {
+                    let text = format!("{} cannot be shown: {error}", folder.display());
+                    tell(&mut self.model.state, Severity::Error, text);
+                }
+            }
+            Effect::ReloadMesh => self.engine.reload_mesh(),
+            Effect::Close => ctx.send_viewport_cmd(ViewportCommand::Close),
+        }
+        if !started {
+            let text = "Something else is still being written or made; try again when it is done.";
+            tell(&mut self.model.state, Severity::Warning, text.to_owned());
+        }
+    }
+
+    /// Asks before changes are lost.
+    fn closing(&self, ctx: &Context, commands: &mut Vec<Command>) {
+        let state = &self.model.state;
+        if ctx.input(|input| input.viewport().close_requested()) && state.is_unsaved() && !state.transient.may_close {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            commands.push(Command::Quit);
+        }
+    }
+
+    fn play(&mut self, ctx: &Context) {
+        let transient = &mut self.model.state.transient;
+        if transient.motion.is_some() {
+            let step_s = f64::from(ctx.input(|input| input.stable_dt)).min(0.1);
+            transient.phase = (transient.phase + step_s / ROUND_S).fract();
+            ctx.request_repaint();
+        }
+    }
+
+    /// Puts a new mesh into the view, once it is there and the view has a size.
+    fn frame_mesh(&mut self) {
+        let state = &mut self.model.state;
+        let Some(mesh) = self.results.mesh.as_ref().filter(|mesh| mesh.source == state.document.mesh) else { return };
+        let [width, height] = self.view.size_px;
+        if !state.transient.frame_mesh || width == 0 || height == 0 {
+            return;
+        }
+        let points: Vec<_> = mesh.mesh.positions.iter().map(|position| position.as_dvec3()).collect();
+        state.camera.frame_points(&points, f64::from(width) / f64::from(height), MARGIN);
+        state.transient.frame_mesh = false;
+    }
+
+    fn follow(&mut self, ctx: &Context, time_s: f64) {
+        let state = &self.model.state;
+        let wheel = time_s - self.camera_moved_s < WHEEL_S;
+        if wheel {
+            ctx.request_repaint_after(Duration::from_secs_f64(WHEEL_S));
+        }
+        let held = ctx.input(|input| input.pointer.any_down());
+        let demand = Demand { size_px: self.view.size_px, moving: held || wheel || state.transient.motion.is_some() };
+        self.engine.follow(state, demand, &mut self.results);
+        self.watch.follow(state.document.source.file().map(PathBuf::as_path));
+    }
+
+    /// Asks for small pictures once the first large one is there.
+    fn thumbnails(&mut self) {
+        if self.results.picture.is_none() {
+            return;
+        }
+        let state = &self.model.state;
+        for (name, _) in tam_gen::Preset::embedded() {
+            let key = panels::preset_key(name);
+            if self.thumbnails.insert(key.clone())
+                && let Some(Ok(preset)) = tam_gen::Preset::named(name)
+            {
+                self.engine.preset_thumbnail(key, &preset);
+            }
+        }
+        for path in &state.settings.recent_presets {
+            // What is saved again looks different.
+            let saved = state.saved.get(&PresetSource::File(path.clone()).key());
+            let key = panels::file_key(path);
+            let mark = format!("{key} {}", saved.map_or_else(String::new, tam_gen::Preset::to_toml));
+            if self.thumbnails.insert(mark)
+                && let Some(preset) = saved.cloned().or_else(|| tam_gen::Preset::load(path).ok())
+            {
+                self.engine.preset_thumbnail(key, &preset);
+            }
+        }
+        for mesh in panels::offered_meshes(state) {
+            let key = panels::mesh_key(&mesh);
+            if self.thumbnails.insert(key.clone()) {
+                self.engine.mesh_thumbnail(key, &mesh);
+            }
+        }
+    }
+
+    /// Writes the session down from time to time.
+    fn keep(&mut self, ctx: &Context, time_s: f64, held: bool) {
+        if self.session.is_none() || held {
+            return;
+        }
+        let state = &self.model.state;
+        let due = self.written.as_ref().is_none_or(|(_, at_s)| time_s - at_s > SESSION_S);
+        let same = self.written.as_ref().is_some_and(|(written, _)| same_on_disk(written, state));
+        if same {
+            return;
+        }
+        if due {
+            self.write_session(false);
+            self.written = Some((self.model.state.clone(), time_s));
+        } else {
+            ctx.request_repaint_after(Duration::from_secs_f64(SESSION_S));
+        }
+    }
+
+    fn write_session(&mut self, closed: bool) {
+        let Some(path) = &self.session else { return };
+        let session = Session { state: self.model.state.clone(), layout: self.model.layout.clone(), closed };
+        if let Err(error) = session::write(path, &session) {
+            // Once is enough: a full disk stays full for a while.
+            let text = format!("The session cannot be kept: {error}");
+            if !self.messages.iter().any(|message| message.text == text) {
+                tell(&mut self.model.state, Severity::Warning, text);
+            }
+        }
+    }
+
+    fn name_window(&mut self, ctx: &Context) {
+        let state = &self.model.state;
+        let mark = if state.is_unsaved() { " •" } else { "" };
+        let title = format!("{}{mark} – tam-viewer", state.preset_name());
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        self.show(ui);
+    }
+
+    fn on_exit(&mut self) {
+        self.write_session(true);
+    }
+}
+
+/// The panels in their places.
+struct Docks<'a, 'b> {
+    panel: &'a mut Panel<'b>,
+}
+
+impl egui_tiles::Behavior<Pane> for Docks<'_, '_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _: TileId, pane: &mut Pane) -> UiResponse {
+        let margin = if *pane == Pane::View { 4 } else { 8 };
+        egui::Frame::new().fill(ui.visuals().panel_fill).inner_margin(margin).show(ui, |ui| {
+            ui.take_available_space();
+            ui.push_id(*pane, |ui| self.panel.show(ui, *pane));
+        });
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> egui::WidgetText {
+        pane.title().into()
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
+    }
+
+    fn gap_width(&self, _: &egui::Style) -> f32 {
+        3.0
+    }
+
+    fn min_size(&self) -> f32 {
+        120.0
+    }
+}
+
+fn held_keys(modifiers: egui::Modifiers) -> u8 {
+    u8::from(modifiers.command) + u8::from(modifiers.shift) + u8::from(modifiers.alt)
+}
+
+/// Files that were dropped onto the window.
+fn dropped(ctx: &Context, commands: &mut Vec<Command>) {
+    let files = ctx.input(|input| input.raw.dropped_files.clone());
+    let paths: Vec<PathBuf> = files.iter().filter_map(|file| file.path().map(Path::to_owned)).collect();
+    if !paths.is_empty() {
+        commands.push(Command::OpenFiles(paths));
+    }
+}
+
+/// Finds out what is on disk, so that it is known what is unsaved.
+fn look_up_saved(state: &mut State) {
+    let source = state.document.source.clone();
+    let on_disk = match &source {
+        PresetSource::Shipped(name) => tam_gen::Preset::named(name).and_then(Result::ok),
+        PresetSource::File(path) => match tam_gen::Preset::load(path) {
+            Ok(preset) => Some(preset),
+            Err(_) => {
+                let text = format!("{} can no longer be read; what was open is still here.", path.display());
+                tell(state, Severity::Warning, text);
+                None
+            }
+        },
+        PresetSource::New(_) => state.saved.get(&source.key()).cloned(),
+    };
+    state.saved.clear();
+    state.saved.extend(on_disk.map(|preset| (source.key(), preset)));
+    if let MeshSource::File(path) = &state.document.mesh
+        && !path.exists()
+    {
+        let text = format!("{} is gone; another mesh is shown.", path.display());
+        tell(state, Severity::Warning, text);
+        state.document.mesh = MeshSource::default();
+        state.transient.frame_mesh = true;
+    }
+}
+
+/// Whether a session file would hold the same.
+fn same_on_disk(written: &State, state: &State) -> bool {
+    (&written.document, &written.camera, &written.settings, &written.saved)
+        == (&state.document, &state.camera, &state.settings, &state.saved)
+}
+

@@ -1,0 +1,140 @@
+//! What is written to disk: maps, pictures, turntables.
+
+use std::path::{Path as FilePath, PathBuf};
+use std::time::Duration;
+
+use tam_gen::export::{ExportError, ExportOptions, Format, export};
+use tam_gen::{GenerateError, Job, Preset};
+
+use super::painter::{Painter, Shot};
+use super::worker::{Wake, Worker};
+use crate::turntable::{FrameFile, FrameWriter, Path};
+
+/// What is to be written.
+pub(super) enum FileRequest {
+    /// A map, for engines.
+    Export { name: String, preset: Box<Preset>, folder: PathBuf, options: ExportOptions },
+    /// A picture.
+    Picture { shot: Box<Shot>, path: PathBuf },
+    /// A turntable: the shot along a path.
+    Turntable { shot: Box<Shot>, along: Path, path: PathBuf, frames: u32, fps: u16 },
+}
+
+/// What is being written, in words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileJob(pub String);
+
+/// What became of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FileReply {
+    /// It is there.
+    Written {
+        /// In a sentence.
+        text: String,
+        /// The file or folder to show.
+        place: PathBuf,
+    },
+    /// It is not, and nothing of it.
+    Failed(String),
+    /// The user stopped it.
+    Cancelled,
+}
+
+pub(super) type FileWorker = Worker<FileRequest, FileReply>;
+
+/// Starts the worker that writes files.
+pub(super) fn file_worker(wake: Wake) -> std::io::Result<FileWorker> {
+    let work = |painter: &mut Option<Painter>, request: FileRequest, job: &Job<'_>, reply: &dyn Fn(FileReply)| {
+        let written = match request {
+            FileRequest::Export { name, preset, folder, options } => map(&name, &preset, &folder, &options, job),
+            FileRequest::Picture { shot, path } => picture(painter, &shot, &path),
+            FileRequest::Turntable { shot, along, path, frames, fps } => {
+                turntable(painter, &shot, along, &path, frames, fps, job)
+            }
+        };
+        reply(written.unwrap_or_else(FileReply::Failed));
+    };
+    let failed = |words: String| FileReply::Failed(format!("it could not be written: {words}"));
+    Worker::start("files", Duration::MAX, wake, || None, work, failed)
+}
+
+fn map(
+    name: &str,
+    preset: &Preset,
+    folder: &FilePath,
+    options: &ExportOptions,
+    job: &Job<'_>,
+) -> Result<FileReply, String> {
+    // The same preset gives the same bytes, so it is made anew rather than kept from a moment ago.
+    let generating = |part: f32| job.report(part * 0.5);
+    let map = match tam_gen::generate(preset, &Job { progress: Some(&generating), ..*job }) {
+        Ok(map) => map,
+        Err(GenerateError::Cancelled) => return Ok(FileReply::Cancelled),
+        Err(error) => return Err(error.to_string()),
+    };
+    let written = match export(&map, name, folder, options, job) {
+        Ok(written) => written,
+        Err(ExportError::Cancelled) => return Ok(FileReply::Cancelled),
+        Err(error) => return Err(error.to_string()),
+    };
+    job.report(1.0);
+    let bytes: u64 = written.iter().map(|file| file.bytes).sum();
+    let text = format!("{} files, {} in {}", written.len(), super::super::words::bytes(bytes), folder.display());
+    Ok(FileReply::Written { text, place: folder.to_owned() })
+}
+
+fn painter(kept: &mut Option<Painter>) -> Result<&mut Painter, String> {
+    if kept.is_none() {
+        *kept = Some(Painter::open().map_err(|error| error.to_string())?);
+    }
+    kept.as_mut().ok_or_else(String::new)
+}
+
+fn picture(kept: &mut Option<Painter>, shot: &Shot, path: &FilePath) -> Result<FileReply, String> {
+    let painted = painter(kept)?.paint(shot).map_err(|error| error.to_string());
+    if painted.is_err() {
+        // Whatever is wrong with the device, the next picture starts with another.
+        *kept = None;
+    }
+    let image = painted?.image;
+    let failed = |error: &dyn std::fmt::Display| format!("cannot write {}: {error}", path.display());
+    let mut png = std::io::Cursor::new(Vec::new());
+    image.write_to(&mut png, image::ImageFormat::Png).map_err(|error| failed(&error))?;
+    tam_gen::files::replace(path, png.get_ref()).map_err(|error| failed(&error))?;
+    let [width, height] = shot.size_px;
+    Ok(FileReply::Written { text: format!("{width} x {height} px, {}", path.display()), place: path.to_owned() })
+}
+
+fn turntable(
+    kept: &mut Option<Painter>,
+    shot: &Shot,
+    along: Path,
+    path: &FilePath,
+    frames: u32,
+    fps: u16,
+    job: &Job<'_>,
+) -> Result<FileReply, String> {
+    let painter = painter(kept)?;
+    let file = FrameFile::of(path)
+        .ok_or_else(|| format!("{} is of no kind that frames are written to: .png or .gif", path.display()))?;
+    // The dialog has asked whether it may be replaced.
+    let mut writer =
+        FrameWriter::new(&file, shot.size_px, frames, fps, true).map_err(|error| error.to_string())?;
+    let mut shot = shot.clone();
+    for frame in 0..frames {
+        if job.cancelled() {
+            return Ok(FileReply::Cancelled);
+        }
+        job.report(frame as f32 / frames as f32);
+        shot.pose = Some((along, f64::from(frame) / f64::from(frames)));
+        let image = painter.paint(&shot).map_err(|error| error.to_string())?.image;
+        writer.write(image).map_err(|error| error.to_string())?;
+    }
+    writer.finish().map_err(|error| error.to_string())?;
+    Ok(FileReply::Written { text: format!("{frames} frames, {}", path.display()), place: path.to_owned() })
+}
+
+/// Formats by the names that settings hold; unknown ones are left out.
+pub(super) fn formats(names: &[String]) -> Vec<Format> {
+    Format::ALL.into_iter().filter(|format| names.iter().any(|name| name == format.name())).collect()
+}

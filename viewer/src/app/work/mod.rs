@@ -1,0 +1,23 @@
+//! Long work, away from the window: maps, checks, meshes, surfaces, pictures, files.
+//!
+//! [`Engine::follow`] compares the state with what was last asked for and asks for what is missing; replies become
+//! [`Results`], which panels read. Nothing here waits.
+
+mod engine;
+mod files;
+mod map;
+mod mesh;
+mod painter;
+mod picture;
+mod results;
+mod surface;
+mod thumbnails;
+mod worker;
+
+pub use engine::{Demand, Engine};
+pub use files::{FileJob, FileReply};
+pub use map::MadeMap;
+pub use mesh::LoadedMesh;
+pub use picture::{Shown, Stillness};
+pub use results::{Results, Thumbnail};
+pub use worker::Wake;

@@ -1,0 +1,50 @@
+//! What work has brought so far.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use egui::ColorImage;
+use tam_gen::checks::Report;
+
+use super::map::MadeMap;
+use super::mesh::LoadedMesh;
+use super::picture::Shown;
+
+/// What panels show beside the state; all of it may be older than the state.
+#[derive(Default)]
+pub struct Results {
+    /// The map of the preset.
+    pub map: Option<Arc<MadeMap>>,
+    /// Why there is no newer one.
+    pub map_problem: Option<String>,
+    /// What the checks found, and about which map.
+    pub report: Option<(Arc<MadeMap>, Arc<Report>)>,
+    /// The mesh.
+    pub mesh: Option<Arc<LoadedMesh>>,
+    /// Why strokes cannot follow it.
+    pub surface_problem: Option<String>,
+    /// The picture of the view.
+    pub picture: Option<Shown>,
+    /// Why there is no newer one.
+    pub picture_problem: Option<String>,
+    /// Small pictures, by key.
+    pub thumbnails: HashMap<String, Thumbnail>,
+    /// Device and driver.
+    pub adapter: Option<String>,
+    /// What is going on, each with its part done, 0..=1.
+    pub running: Vec<(&'static str, f32)>,
+    /// Part done of the file that is being written.
+    pub writing: Option<(String, f32)>,
+}
+
+/// A small picture.
+#[derive(Clone)]
+pub struct Thumbnail(pub Arc<ColorImage>);
+
+impl Results {
+    /// The report of the map that is shown, unless that is newer.
+    pub fn current_report(&self) -> Option<&Report> {
+        let (of, report) = self.report.as_ref()?;
+        self.map.as_ref().is_some_and(|map| Arc::ptr_eq(map, of)).then_some(report)
+    }
+}

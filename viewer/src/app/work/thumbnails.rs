@@ -1,0 +1,130 @@
+//! Small pictures: presets on a ball, meshes in grey.
+
+use std::sync::Arc;
+
+use image::RgbaImage;
+use tam_gen::{Job, Preset};
+
+use super::super::state::MeshSource;
+use super::painter::{Painter, Shot, Side};
+use crate::maps::HatchMap;
+use crate::mesh::sample::Sample;
+use crate::mesh::{Mesh, load, prepare};
+use crate::params::Silhouettes;
+use crate::surface::{PatchOptions, Surface, SurfaceOptions};
+use crate::{Light, Mapping, Method, RenderError, RenderParams, Scene};
+
+/// Side of a thumbnail, in pixels.
+pub(super) const SIDE_PX: u32 = 192;
+
+/// Triangles of a sample mesh in a thumbnail.
+const TRIANGLES: usize = 3000;
+
+/// Side of the map of a preset's thumbnail, in texels.
+const MAP_PX: u32 = 128;
+
+/// Triangles of a file that is drawn as a thumbnail, at most.
+const FILE_TRIANGLES: usize = 300_000;
+
+#[derive(Clone, Debug)]
+pub(super) struct ThumbnailRequest {
+    pub key: String,
+    pub of: Subject,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Subject {
+    Preset(Box<Preset>),
+    Mesh(MeshSource),
+}
+
+/// What all thumbnails share.
+#[derive(Default)]
+pub(super) struct Thumbnails {
+    ball: Option<(Arc<Mesh>, Arc<Surface>)>,
+    plain: Option<Arc<HatchMap>>,
+}
+
+impl Thumbnails {
+    /// Draws one; `None` where there is nothing to draw, which whoever opens it is told then.
+    pub(super) fn paint(
+        &mut self,
+        painter: &mut Painter,
+        request: &ThumbnailRequest,
+    ) -> Result<Option<RgbaImage>, RenderError> {
+        let side = match &request.of {
+            Subject::Preset(preset) => self.preset(preset),
+            Subject::Mesh(source) => self.mesh(source),
+        };
+        let Some(side) = side else { return Ok(None) };
+        let mut scene = Scene::of(&side.mesh);
+        scene.lights.lights = vec![Light::from_angles(-38.0, 42.0)];
+        let points: Vec<_> = side.mesh.positions.iter().map(|position| position.as_dvec3()).collect();
+        scene.camera.frame_points(&points, 1.0, 0.08);
+        let shot = Shot { size_px: [SIDE_PX; 2], samples: 4, scene, pose: None, sides: vec![side], split: 1.0 };
+        Ok(Some(painter.paint(&shot)?.image))
+    }
+
+    fn preset(&mut self, preset: &Preset) -> Option<Side> {
+        let mut small = preset.clone();
+        small.map.size = small.map.size.min(MAP_PX);
+        small.map.coarsest = small.map.coarsest.min(small.map.size);
+        let map = HatchMap::from_preset("", &small, &Job::default()).ok()?;
+        if self.ball.is_none() {
+            let mesh = prepare(Sample::Sphere.build(TRIANGLES)).ok()?.mesh;
+            let options = PatchOptions { tiles_per_unit: 1.0, ..PatchOptions::default() };
+            let mesh = mesh.subdivided(options.longest_edge() as f32);
+            let options = SurfaceOptions { patches: Some(options), ..SurfaceOptions::default() };
+            let surface = Surface::new(&mesh, &options).ok()?;
+            self.ball = Some((Arc::new(mesh), Arc::new(surface)));
+        }
+        let (mesh, surface) = self.ball.clone()?;
+        let params = RenderParams {
+            method: Method::SixWay,
+            mapping: Mapping::Patches,
+            tiles_per_unit: 1.0,
+            silhouettes: Some(Silhouettes { width_px: 1.2, ..Silhouettes::default() }),
+            ..RenderParams::default()
+        };
+        Some(Side { params, mesh, surface: Some(surface), map: Arc::new(map), colours: linear_colours(preset) })
+    }
+
+    fn mesh(&mut self, source: &MeshSource) -> Option<Side> {
+        let mesh = match source {
+            MeshSource::Sample(sample, _) => prepare(sample.build(TRIANGLES)).ok()?.mesh,
+            MeshSource::File(path) => load(path).ok()?.mesh,
+        };
+        if mesh.triangles.len() > FILE_TRIANGLES {
+            return None;
+        }
+        let map = match &self.plain {
+            Some(map) => Arc::clone(map),
+            None => {
+                let mut preset = Preset::default();
+                (preset.map.size, preset.map.coarsest) = (64, 32);
+                let map = Arc::new(HatchMap::from_preset("", &preset, &Job::default()).ok()?);
+                self.plain = Some(Arc::clone(&map));
+                map
+            }
+        };
+        let params = RenderParams {
+            method: Method::Phong,
+            silhouettes: Some(Silhouettes { width_px: 1.2, ..Silhouettes::default() }),
+            ..RenderParams::default()
+        };
+        let colours = ([0.9, 0.89, 0.87], [0.05, 0.05, 0.06]);
+        Some(Side { params, mesh: Arc::new(mesh), surface: None, map, colours })
+    }
+}
+
+/// Paper and ink of a preset, linear light; white and black where they are no colours.
+pub(super) fn linear_colours(preset: &Preset) -> ([f32; 3], [f32; 3]) {
+    let linear = |css: &str, other: [f32; 3]| match csscolorparser::parse(css) {
+        Ok(colour) => {
+            let [r, g, b, _] = colour.to_linear_rgba();
+            [r, g, b]
+        }
+        Err(_) => other,
+    };
+    (linear(&preset.colours.paper, [1.0; 3]), linear(&preset.colours.ink, [0.0; 3]))
+}
