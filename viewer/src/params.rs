@@ -130,7 +130,8 @@ pub enum Follow {
 }
 
 /// Where the frames of `face-frame` are made; kept to be measured against each other.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FaceFrameForm {
     /// By a compute pass when light or mesh change, and fetched by each fragment.
     #[default]
@@ -143,6 +144,7 @@ pub enum FaceFrameForm {
 
 /// Contour, border and crease lines.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
 pub struct Silhouettes {
     /// On the screen, 0.25..=64.
     pub width_px: f64,
@@ -160,8 +162,9 @@ impl Default for Silhouettes {
     }
 }
 
-/// How a frame is drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// How a frame is drawn. What a stored one does not name is as by default.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
 pub struct RenderParams {
     /// The shading method.
     pub method: Method,
@@ -219,5 +222,28 @@ impl Default for RenderParams {
             variety: 0.0,
             silhouettes: Some(Silhouettes::default()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stored_parameters_come_back_and_lacking_ones_are_as_by_default() {
+        let params = RenderParams {
+            method: Method::FaceFrame,
+            face_frame: FaceFrameForm::VertexFetched,
+            follow: Follow::Light,
+            cross_from: None,
+            ..RenderParams::default()
+        };
+        let text = serde_json::to_string(&params).unwrap();
+        assert!(text.contains(r#""face_frame":"vertex-fetched""#), "{text}");
+        assert_eq!(serde_json::from_str::<RenderParams>(&text).unwrap(), params);
+        let lacking: RenderParams =
+            serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).unwrap();
+        let silhouettes = Some(Silhouettes { width_px: 3.0, ..Silhouettes::default() });
+        assert_eq!(lacking, RenderParams { form: Form::Literal, silhouettes, ..RenderParams::default() });
     }
 }

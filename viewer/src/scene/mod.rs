@@ -97,8 +97,9 @@ fn with_alpha(colour: [f32; 3]) -> [f32; 4] {
     [colour[0], colour[1], colour[2], 1.0]
 }
 
-/// How an object takes light and strokes.
-#[derive(Clone, Debug, PartialEq)]
+/// How an object takes light and strokes. What a stored one does not name is as by default.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
 pub struct Material {
     /// Colour under the strokes, linear light; multiplies the paper's.
     pub colour: [f32; 3],
