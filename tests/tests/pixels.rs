@@ -78,6 +78,7 @@ fn options(params: &RenderParams) -> Options {
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
         follow: cpu::Follow::Surface,
         varied: params.method == Method::Stripes && params.variety > 0.0,
+        debug: cpu::DebugView::None,
         frames: if params.face_frame == FaceFrameForm::Vertex { cpu::Frames::Here } else { cpu::Frames::Fetched },
     }
 }
