@@ -21,13 +21,15 @@ pub enum Pass {
     FineTone,
     /// Lines along a field over the whole surface.
     Stripes,
-    /// Contours, borders and creases.
+    /// What a method works with, in its ink's place.
+    Debug,
+    /// Contours, borders, creases and the wireframe.
     Lines,
 }
 
 impl Pass {
     /// All passes.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::FaceGeometry,
         Self::FaceFrames,
         Self::Phong,
@@ -37,6 +39,7 @@ impl Pass {
         Self::StrokeMap,
         Self::FineTone,
         Self::Stripes,
+        Self::Debug,
         Self::Lines,
     ];
 
@@ -52,6 +55,7 @@ impl Pass {
             Self::StrokeMap => "stroke_map",
             Self::FineTone => "fine_tone",
             Self::Stripes => "stripes",
+            Self::Debug => "debug",
             Self::Lines => "lines",
         }
     }
@@ -67,6 +71,7 @@ impl Pass {
             Self::StrokeMap => include_str!("../wgsl/stroke_map.wgsl"),
             Self::FineTone => include_str!("../wgsl/fine_tone.wgsl"),
             Self::Stripes => include_str!("../wgsl/stripes.wgsl"),
+            Self::Debug => include_str!("../wgsl/debug.wgsl"),
             Self::Lines => include_str!("../wgsl/lines.wgsl"),
         }
     }
@@ -83,8 +88,10 @@ pieces!(
     "adjacency",
     "barycentric",
     "blend",
+    "colour",
     "columns",
     "corners",
+    "directions",
     "face_frame",
     "form",
     "halftone",

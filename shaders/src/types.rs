@@ -155,12 +155,12 @@ pub struct LineStyle {
     pub borders: u32,
     /// Not 0: draw creases.
     pub creases: u32,
+    /// Not 0: draw every edge.
+    pub edges: u32,
     /// Fills the record.
     pub _pad_a: u32,
     /// Fills the record.
     pub _pad_b: u32,
-    /// Fills the record.
-    pub _pad_c: u32,
 }
 
 /// `Edge` of `lines.wgsl`.

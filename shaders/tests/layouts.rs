@@ -4,8 +4,10 @@ use std::any::type_name;
 use std::mem::{offset_of, size_of};
 
 use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
-use tam_shaders::cpu::lib::{face_frame, patches, scene, stripes, strokes, threshold};
-use tam_shaders::cpu::{self, Blend, Follow, Form, Frames, Mapping, PatternKind, face_geometry, lines};
+use tam_shaders::cpu::lib::{colour, directions, face_frame, patches, scene, stripes, strokes, threshold};
+use tam_shaders::cpu::{
+    self, Blend, DebugView, Follow, Form, Frames, Mapping, PatternKind, debug, face_geometry, lines,
+};
 use tam_shaders::types::{
     Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
     Vertex,
@@ -94,7 +96,7 @@ fn records() -> Vec<Record> {
             tones,
         }),
         record!(StripePhases { corners, code }),
-        record!(LineStyle { colour, width_px, crease_cosine, contours, borders, creases, _pad_a, _pad_b, _pad_c }),
+        record!(LineStyle { colour, width_px, crease_cosine, contours, borders, creases, edges, _pad_a, _pad_b }),
         record!(Edge { a, b, left, right }),
         record!(PatchEntry { places, shares }),
     ]
@@ -256,6 +258,23 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("GREATEST_DIFFERENCE", single(strokes::GREATEST_DIFFERENCE)),
         ("PROFILE_MEAN", single(strokes::PROFILE_MEAN)),
         ("GREATEST_WAVER", single(strokes::GREATEST_WAVER)),
+        ("TAU", single(colour::TAU)),
+        ("LEAST_GRADIENT", single(directions::LEAST_GRADIENT)),
+        ("DEBUG", DebugView::default() as u32 as f64),
+        ("DEBUG_NONE", DebugView::None as u32 as f64),
+        ("DEBUG_TONE", DebugView::Tone as u32 as f64),
+        ("DEBUG_LEVEL", DebugView::Level as u32 as f64),
+        ("DEBUG_COLUMNS", DebugView::Columns as u32 as f64),
+        ("DEBUG_FRAMES", DebugView::Frames as u32 as f64),
+        ("DEBUG_STRIPES", DebugView::Stripes as u32 as f64),
+        ("DEBUG_ADJACENCY", DebugView::Adjacency as u32 as f64),
+        ("DEBUG_TRIANGLES", DebugView::Triangles as u32 as f64),
+        ("ISOLINE_PX", single(debug::ISOLINE_PX)),
+        ("LEAST_SLOPE", single(debug::LEAST_SLOPE)),
+        ("HATCH_PX", single(debug::HATCH_PX)),
+        ("TICK_PX", single(debug::TICK_PX)),
+        ("TICK_REACH_PX", single(debug::TICK_REACH_PX)),
+        ("NONE_GREY", single(debug::NONE_GREY)),
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
         ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),

@@ -1,4 +1,4 @@
-// Contour, border and crease lines: one quad per edge of the mesh, as wide as asked on the screen, with round ends.
+// Contour, border and crease lines, or all edges: one quad per edge of the mesh, as wide as asked on the screen, with round ends.
 // Praun and others, "Real-Time Hatching", 2001, section 2: silhouettes complete hatched drawings. An edge is a contour
 // where one face is seen from the front and the other from behind, so contours lie exactly where the drawn mesh ends.
 //!include lib/scene.wgsl
@@ -13,9 +13,10 @@ struct LineStyle {
     contours: u32,
     borders: u32,
     creases: u32,
+    // Not 0: every edge is a line.
+    edges: u32,
     _pad_a: u32,
     _pad_b: u32,
-    _pad_c: u32,
 }
 
 struct Edge {
@@ -56,6 +57,9 @@ const LINE_RIGHT: u32 = 2u;
 const LINE_LEFT: u32 = 3u;
 
 fn line_kind(edge: Edge, p_world: vec3f) -> u32 {
+    if style.edges != 0u {
+        return LINE_CENTRED;
+    }
     // A face without area has no normal to judge by.
     if face_normals[edge.left].w == 0.0 {
         return LINE_NONE;

@@ -7,20 +7,6 @@
 //!include lib/stripes.wgsl
 //!include lib/strokes.wgsl
 
-@group(3) @binding(4) var<storage, read> stripes_along: array<StripePhases>;
-@group(3) @binding(5) var<storage, read> stripes_across: array<StripePhases>;
-
-// Where a fragment is in its face, and how that changes to the next pixel.
-struct Place {
-    weights: vec3f,
-    dx: vec3f,
-    dy: vec3f,
-}
-
-fn place_in_face(face: u32, p: vec3f, dx: vec3f, dy: vec3f) -> Place {
-    return Place(corner_weights(face, p), corner_slopes(face, dx), corner_slopes(face, dy));
-}
-
 // Whether lines are made of strokes; plain ones know no patches.
 override VARIED: u32 = 0u;
 

@@ -10,7 +10,7 @@ use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
 use tam_viewer::surface::Patches;
-use tam_viewer::{FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
+use tam_viewer::{DebugView, FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
 
 const SIDE: u32 = 96;
 
@@ -30,6 +30,11 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
         tones: source.grid.tones.clone(),
         distribution: Vec::new(),
     };
+    if params.debug.is_some() {
+        // Level and columns are those of the method's map, and this one has the map's own.
+        assert_eq!(params.method, Method::FaceFrame);
+        return columns(Pass::Debug);
+    }
     match params.method {
         Method::Phong => columns(Pass::Phong),
         Method::FaceFrame if params.face_frame == FaceFrameForm::Fetched => columns(Pass::FaceFrame),
@@ -78,6 +83,14 @@ fn options(params: &RenderParams) -> Options {
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
         follow: cpu::Follow::Surface,
         varied: params.method == Method::Stripes && params.variety > 0.0,
+        debug: params.debug.map_or(cpu::DebugView::None, |view| match view {
+            DebugView::Tone => cpu::DebugView::Tone,
+            DebugView::Level => cpu::DebugView::Level,
+            DebugView::Columns => cpu::DebugView::Columns,
+            DebugView::Frames => cpu::DebugView::Frames,
+            DebugView::Adjacency => cpu::DebugView::Adjacency,
+            DebugView::Triangles => cpu::DebugView::Triangles,
+        }),
         frames: if params.face_frame == FaceFrameForm::Vertex { cpu::Frames::Here } else { cpu::Frames::Fetched },
     }
 }
@@ -261,6 +274,22 @@ fn a_flat_square_is_drawn_as_the_twins_draw_it() {
 fn a_sphere_is_drawn_as_the_twins_draw_it() {
     let failures = failures(Sample::Sphere, 800);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn debug_views_are_drawn_as_the_twins_draw_them() {
+    let mesh = prepare(Sample::Sphere.build(800)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    for debug in DebugView::ALL {
+        // What `face-frame` lies by, whatever the mapping.
+        let method = Method::FaceFrame;
+        let params = RenderParams { method, mapping: Mapping::Frames, silhouettes: None, ..RenderParams::default() };
+        let params = RenderParams { debug: Some(debug), ..params };
+        let difference = compare(&mut stage, &scene(), &params, &mesh);
+        // Derivatives at a triangle's edge may be those of its row's or its column's other pixels: lines and ticks are
+        // a little different there.
+        assert!(difference.share < 0.01 && difference.mean < 0.001, "{debug:?}: {difference:?}");
+    }
 }
 
 #[test]

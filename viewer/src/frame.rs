@@ -43,7 +43,8 @@ impl Renderer {
         // Back faces of a closed mesh are never seen from outside.
         let culled = mesh.closed && scene.world_from_mesh.determinant() > 0.0;
         let pipeline = shading.pipeline(gpu, layouts, &prepared.variant, target.format, target.samples, culled);
-        let line_pipeline = params.silhouettes.map(|_| lines.pipeline(gpu, target.format, target.samples));
+        let has_lines = Lines::drawn(params).next().is_some();
+        let line_pipeline = has_lines.then(|| lines.pipeline(gpu, target.format, target.samples));
 
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let with_frames = prepared.variant.frames;
@@ -63,7 +64,9 @@ impl Renderer {
             let mapping = params.needed_mapping().unwrap_or(params.mapping);
             Shading::record(&mut pass, pipeline, scene_group, mesh, mapping, &prepared.variant, materials);
             if let Some(line_pipeline) = line_pipeline {
-                Lines::record(&mut pass, line_pipeline, scene_group, mesh);
+                for kind in Lines::drawn(params) {
+                    Lines::record(&mut pass, line_pipeline, scene_group, mesh, kind);
+                }
             }
         }
         if let Some(timer) = timer {

@@ -26,7 +26,7 @@ mod timer;
 pub mod sheet;
 pub mod turntable;
 
-pub use params::{Blend, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
+pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
 pub use renderer::{MAX_PARTS, RenderError, Renderer};
 pub use scene::{Camera, Light, LightKind, Lights, Material, Scene};
 pub use timer::FrameTimer;

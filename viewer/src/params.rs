@@ -142,6 +142,62 @@ pub enum FaceFrameForm {
     VertexFetched,
 }
 
+/// What is shown in place of a method's ink, over the same geometry, light, mapping and map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DebugView {
+    /// The wanted darkness, in linear light, with isolines at the map's tones.
+    Tone,
+    /// The level of detail that the method samples.
+    Level,
+    /// The two columns that bracket the wanted tone, by their shares.
+    Columns,
+    /// The direction in which strokes run on the screen.
+    Frames,
+    /// How much of the neighbours' patterns `face-frame` blends in.
+    Adjacency,
+    /// The triangles.
+    Triangles,
+}
+
+impl DebugView {
+    /// All views.
+    pub const ALL: [Self; 6] = [Self::Tone, Self::Level, Self::Columns, Self::Frames, Self::Adjacency, Self::Triangles];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tone => "tone",
+            Self::Level => "level",
+            Self::Columns => "columns",
+            Self::Frames => "frames",
+            Self::Adjacency => "adjacency",
+            Self::Triangles => "triangles",
+        }
+    }
+
+    /// The view of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|view| view.name() == name)
+    }
+
+    /// What its colours say, in one line. Where a method has nothing of it, the surface is grey.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Tone => "Wanted tone, with a line where it is that of a column",
+            Self::Level => {
+                "Level of detail: 0 green, then yellow, orange, red; hatched: magnified; dark: coarser than the map"
+            }
+            Self::Columns => "Columns of the map that are mixed, a hue for each; grey is paper",
+            Self::Frames => {
+                "Direction of strokes: horizontal red, rising green, vertical cyan, falling violet; pale where they disagree"
+            }
+            Self::Adjacency => "Share of the neighbours' patterns in face-frame: none is white",
+            Self::Triangles => "Triangles of the mesh",
+        }
+    }
+}
+
 /// Contour, border and crease lines.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
@@ -193,6 +249,10 @@ pub struct RenderParams {
     pub variety: f64,
     /// Lines over the strokes.
     pub silhouettes: Option<Silhouettes>,
+    /// What is shown in place of the ink; `None`: the ink.
+    pub debug: Option<DebugView>,
+    /// Width in pixels of lines along all edges of triangles, 0.25..=16; `None`: no such lines.
+    pub wireframe: Option<f64>,
 }
 
 impl RenderParams {
@@ -221,6 +281,8 @@ impl Default for RenderParams {
             cross_from: Some(0.55),
             variety: 0.0,
             silhouettes: Some(Silhouettes::default()),
+            debug: None,
+            wireframe: None,
         }
     }
 }

@@ -71,6 +71,8 @@ pub const SLOPE: Range = Range::new(1.01, 1000.0, "");
 pub const LINE_PERIOD_PX: Range = Range::new(2.0, 256.0, "px");
 /// Width of contours, borders and creases.
 pub const LINE_WIDTH_PX: Range = Range::new(0.25, 64.0, "px");
+/// Width of the wireframe's lines.
+pub const WIREFRAME_PX: Range = Range::new(0.25, 16.0, "px");
 /// Angle above which an edge is a crease.
 pub const CREASE_DEG: Range = Range::new(0.0, 180.0, "degrees");
 /// Time of an animation.

@@ -106,7 +106,7 @@ impl Renderer {
     /// # Errors
     /// [`GpuError::TooLarge`] if it exceeds what the adapter binds.
     pub fn mesh(&self, mesh: &Mesh) -> Result<GpuMesh, GpuError> {
-        let gpu_mesh = GpuMesh::new(&self.gpu, &self.layouts, &self.lines.style, mesh)?;
+        let gpu_mesh = GpuMesh::new(&self.gpu, &self.layouts, &self.lines.styles, mesh)?;
         self.gpu.check()?;
         Ok(gpu_mesh)
     }
@@ -149,27 +149,14 @@ impl Renderer {
         size_px: [u32; 2],
     ) -> Result<Prepared, RenderError> {
         check_scene(scene)?;
-        if params.mapping == Mapping::Uv && params.method.takes_mapping() && mesh.uv_density.is_none() {
-            return Err(RenderError::NoUv);
+        // Debug views show what is lacking instead.
+        if params.debug.is_none() {
+            check_surface(params, mesh)?;
         }
-        let mapped = params.method.takes_mapping();
-        if mapped && params.mapping.takes_surface() && mesh.surface.tiles_per_unit(params.mapping).is_none() {
-            return Err(RenderError::NoSurface(params.mapping.name()));
-        }
-        let follows = mapped && params.mapping == Mapping::Patches && params.follow == Follow::Light;
-        if follows && mesh.surface.follow(params.mapping) != Some(Follow::Light) {
-            return Err(RenderError::NoSurface("light-following"));
-        }
-        if params.method == Method::Stripes && !mesh.surface.has_stripes() {
-            return Err(RenderError::NoSurface(params.method.name()));
-        }
-        if params.method == Method::Stripes && params.variety > 0.0 && !mesh.surface.has_rows() {
-            return Err(RenderError::NoSurface("stripes and patches"));
-        }
-        let variant = variant(params);
+        let variant = variant(params, mesh);
         let shared = scene.shared(size_px, mesh.radius());
         self.gpu.queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&shared));
-        if follows {
+        if follows_light(params) && mesh.surface.follow(params.mapping) == Some(Follow::Light) {
             mesh.surface.turn(&self.gpu, &shared, scene.world_from_mesh, &mut self.turns);
         }
         let mut of_parts = Vec::with_capacity(mesh.parts.len());
@@ -185,9 +172,7 @@ impl Renderer {
             of_parts.push(textures);
         }
         self.gpu.queue.write_buffer(&self.materials, 0, &self.staging);
-        if let Some(silhouettes) = &params.silhouettes {
-            self.lines.prepare(&self.gpu, silhouettes, scene.ink);
-        }
+        self.lines.prepare(&self.gpu, params, scene.ink);
         Ok(Prepared { scene: shared, variant, maps: of_parts })
     }
 
@@ -210,6 +195,31 @@ fn check_scene(scene: &Scene) -> Result<(), RenderError> {
     }
     if !(1.0..=150.0).contains(&camera.field_of_view_deg) {
         return Err(RenderError::Camera(format!("an opening of {} degrees", camera.field_of_view_deg)));
+    }
+    Ok(())
+}
+
+fn follows_light(params: &RenderParams) -> bool {
+    params.method.takes_mapping() && params.mapping == Mapping::Patches && params.follow == Follow::Light
+}
+
+/// Whether the mesh has what the method draws its strokes by.
+fn check_surface(params: &RenderParams, mesh: &GpuMesh) -> Result<(), RenderError> {
+    let mapped = params.method.takes_mapping();
+    if mapped && params.mapping == Mapping::Uv && mesh.uv_density.is_none() {
+        return Err(RenderError::NoUv);
+    }
+    if mapped && params.mapping.takes_surface() && mesh.surface.tiles_per_unit(params.mapping).is_none() {
+        return Err(RenderError::NoSurface(params.mapping.name()));
+    }
+    if follows_light(params) && mesh.surface.follow(params.mapping) != Some(Follow::Light) {
+        return Err(RenderError::NoSurface("light-following"));
+    }
+    if params.method == Method::Stripes && !mesh.surface.has_stripes() {
+        return Err(RenderError::NoSurface(params.method.name()));
+    }
+    if params.method == Method::Stripes && params.variety > 0.0 && !mesh.surface.has_rows() {
+        return Err(RenderError::NoSurface("stripes and patches"));
     }
     Ok(())
 }

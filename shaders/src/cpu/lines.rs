@@ -18,6 +18,7 @@ pub struct LineStyle {
     pub contours: bool,
     pub borders: bool,
     pub creases: bool,
+    pub edges: bool,
 }
 
 impl From<&types::LineStyle> for LineStyle {
@@ -29,6 +30,7 @@ impl From<&types::LineStyle> for LineStyle {
             contours: style.contours != 0,
             borders: style.borders != 0,
             creases: style.creases != 0,
+            edges: style.edges != 0,
         }
     }
 }
@@ -73,6 +75,9 @@ pub enum LineKind {
 /// The kind of line that the edge is, as far as it is wanted.
 pub fn line_kind(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, p_world: DVec3) -> LineKind {
     let centred = |wanted: bool| if wanted { LineKind::Centred } else { LineKind::None };
+    if style.edges {
+        return LineKind::Centred;
+    }
     let left = mesh.face_normals[edge.left as usize];
     if left.w == 0.0 {
         return LineKind::None;

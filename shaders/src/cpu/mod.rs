@@ -7,6 +7,7 @@
 //! neighbouring fragments, as on a GPU.
 
 pub mod builtin;
+pub mod debug;
 pub mod face_frame;
 pub mod face_frame_vertex;
 pub mod face_frames;
@@ -24,7 +25,7 @@ pub mod stroke_map;
 
 pub use image::{MapImage, MapLevel};
 pub use lib::octahedral;
-pub use options::{Blend, Follow, Form, Frames, Mapping, Options, PatternKind};
+pub use options::{Blend, DebugView, Follow, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
 use crate::types::StripePhases;

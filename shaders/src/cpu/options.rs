@@ -72,6 +72,29 @@ pub enum Follow {
     Light = 1,
 }
 
+/// What is shown in the ink's place: `DEBUG` of `debug.wgsl`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum DebugView {
+    /// Nothing: the method has nothing of what is asked for.
+    #[default]
+    None = 0,
+    /// The wanted darkness.
+    Tone = 1,
+    /// The level of detail.
+    Level = 2,
+    /// The columns that bracket the tone.
+    Columns = 3,
+    /// Directions of the mapping's strokes.
+    Frames = 4,
+    /// Directions of stripes.
+    Stripes = 5,
+    /// The share of the neighbours' patterns.
+    Adjacency = 6,
+    /// The triangles.
+    Triangles = 7,
+}
+
 /// All constants of a pipeline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Options {
@@ -89,11 +112,13 @@ pub struct Options {
     pub follow: Follow,
     /// Whether stripes are made of strokes: `VARIED` of `stripes.wgsl`.
     pub varied: bool,
+    /// What is shown in the ink's place.
+    pub debug: DebugView,
 }
 
 impl Options {
     /// Name and number of each constant, as WGSL knows them; a pass has some of them only.
-    pub fn constants(self) -> [(&'static str, f64); 7] {
+    pub fn constants(self) -> [(&'static str, f64); 8] {
         [
             ("FORM", f64::from(self.form as u32)),
             ("MAPPING", f64::from(self.mapping as u32)),
@@ -102,6 +127,7 @@ impl Options {
             ("FRAMES", f64::from(self.frames as u32)),
             ("FOLLOW", f64::from(self.follow as u32)),
             ("VARIED", f64::from(u32::from(self.varied))),
+            ("DEBUG", f64::from(self.debug as u32)),
         ]
     }
 }

@@ -1,40 +1,19 @@
 //! Twin of `stripes.wgsl`: one line field over the whole surface, as wide as the tone asks, and a second one across it
 //! in the dark. Knöppel and others, "Stripe patterns on surfaces", 2015.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec2, DVec4};
 
 use super::builtin::{mix, smoothstep};
-use super::lib::barycentric::{corner_slopes, corner_weights};
+use super::lib::barycentric::{Place, place_in_face};
 use super::lib::light::darkness;
 use super::lib::mapping::frame_place;
 use super::lib::material::reflectance;
-use super::lib::mesh::Mesh;
 use super::lib::patches::{Patches, patches_at};
 use super::lib::stripes::{FADE_FROM, FADE_TO, crossed_darkness, doubled_ink, stripe_phase, stripe_slope};
 use super::lib::strokes::{patched_stroke, stroke_ink};
 use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::{Bindings, Quad};
 use crate::types::StripePhases;
-
-/// Where a fragment is in its face, and how that changes to the next pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Weights of the corners.
-    pub weights: DVec3,
-    /// Their change to the pixel on the right.
-    pub dx: DVec3,
-    /// Their change to the pixel below.
-    pub dy: DVec3,
-}
-
-/// The place of a point, given its change across a pixel.
-pub fn place_in_face(mesh: &Mesh<'_>, face: usize, p: DVec3, dx: DVec3, dy: DVec3) -> Place {
-    Place {
-        weights: corner_weights(mesh, face, p),
-        dx: corner_slopes(mesh, face, dx),
-        dy: corner_slopes(mesh, face, dy),
-    }
-}
 
 /// The field of lines along.
 pub const ALONG: u32 = 0;

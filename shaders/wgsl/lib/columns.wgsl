@@ -25,10 +25,14 @@ fn column_coordinate(d: f32) -> f32 {
     return f32(low) + clamp((d - a) / max(b - a, 1e-6), 0.0, 1.0);
 }
 
-// Level of detail for a footprint in tiles per pixel. Below the finest level strokes grow, as in any texture.
+// Level of detail for a footprint in tiles per pixel, as if there were levels without end.
+fn wanted_level(tiles_per_px: f32) -> f32 {
+    return log2(max(tiles_per_px * material.size_px, 1e-6)) + material.level_bias;
+}
+
+// The same among those there are. Below the finest level strokes grow, as in any texture.
 fn map_level(tiles_per_px: f32) -> f32 {
-    let level = log2(max(tiles_per_px * material.size_px, 1e-6)) + material.level_bias;
-    return clamp(level, 0.0, material.level_count - 1.0);
+    return clamp(wanted_level(tiles_per_px), 0.0, material.level_count - 1.0);
 }
 
 // Ink of an array whose layer k holds column k and column k + 1 in its two channels (column 0 is white): one sample

@@ -8,6 +8,9 @@ struct StripePhases {
     code: i32,
 }
 
+@group(3) @binding(4) var<storage, read> stripes_along: array<StripePhases>;
+@group(3) @binding(5) var<storage, read> stripes_across: array<StripePhases>;
+
 // Lines closer than this many to the pixel turn grey, from the first to the second.
 const FADE_FROM: f32 = 0.35;
 const FADE_TO: f32 = 0.5;

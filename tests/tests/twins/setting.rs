@@ -89,8 +89,9 @@ impl Setting {
             width_px: 2.5,
             crease_cosine: 0.4,
             contours: u32::from(seed != 2),
-            borders: u32::from(seed != 3),
+            borders: u32::from(seed != 2),
             creases: 1,
+            edges: u32::from(seed == 3),
             ..Default::default()
         };
         let direction = |i: usize, slot: u64| draw(i).direction(slot + 1000).as_vec3();

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use glam::{DMat4, DVec2, DVec3};
 use tam_gen::command::Failure;
 use tam_viewer::gpu::GpuOptions;
 use tam_viewer::mesh::Mesh;
 use tam_viewer::scene::MAX_LIGHTS;
-use tam_viewer::{Blend, Form, Light, Mapping, Method, RenderParams, Scene, Silhouettes, ranges};
+use tam_viewer::{Blend, DebugView, Form, Light, Mapping, Method, RenderParams, Scene, Silhouettes, ranges};
 
 use super::object::{ObjectArg, object};
 use super::parse::{self, Colour, Deformed, OrNone, Orbit, Specular};
@@ -85,6 +85,14 @@ pub(super) struct ViewArgs {
     /// Angle of faces above which their edge is drawn as a crease, or none
     #[arg(long, value_name = "DEG|none", value_parser = parse::or_none(ranges::CREASE_DEG), allow_hyphen_values = true, help_heading = "How it is hatched")]
     crease: Option<OrNone>,
+
+    /// Show what the method works with instead of its ink: the wanted tone, the level of detail, the columns that are
+    /// mixed, the direction of strokes, the blend of neighbours, or the triangles
+    #[arg(long, value_name = "VIEW", value_parser = debug_view(), help_heading = "What is checked")]
+    debug: Option<DebugView>,
+    /// Draw all edges of triangles, this wide
+    #[arg(long, value_name = "PX", value_parser = parse::in_range(ranges::WIREFRAME_PX), allow_hyphen_values = true, help_heading = "What is checked")]
+    wireframe: Option<f64>,
 
     /// Azimuth and elevation in degrees, and the distance [default: 30,18 and all in the picture]
     #[arg(long, value_name = "AZ,EL[,DIST]", value_parser = parse::orbit, allow_hyphen_values = true, help_heading = "Camera")]
@@ -184,6 +192,13 @@ pub(super) fn method() -> impl TypedValueParser<Value = Method> {
         .map(|name| Method::named(&name).expect("the parser lets only these names through"))
 }
 
+/// Reads the name of a debug view; the help says what each shows.
+fn debug_view() -> impl TypedValueParser<Value = DebugView> {
+    let names = DebugView::ALL.map(|view| PossibleValue::new(view.name()).help(view.description()));
+    PossibleValuesParser::new(names)
+        .map(|name| DebugView::named(&name).expect("the parser lets only these names through"))
+}
+
 /// Width of lines where none is given: in proportion to the picture, within what reads as a line.
 pub(super) fn line_width_px(size: [u32; 2]) -> f64 {
     let side = f64::from(size[0].min(size[1]));
@@ -216,6 +231,8 @@ impl ViewArgs {
             cross_from: self.cross.map_or(default.cross_from, |cross| cross.0),
             variety: self.variety,
             silhouettes: width_px.map(|width_px| Silhouettes { width_px, crease_deg, ..lines }),
+            debug: self.debug,
+            wireframe: self.wireframe,
             ..default
         }
     }

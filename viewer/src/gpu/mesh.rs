@@ -41,7 +41,8 @@ pub(crate) struct MeshGroups {
     pub drawn: wgpu::BindGroup,
     pub geometry: wgpu::BindGroup,
     pub frames: wgpu::BindGroup,
-    pub lines: wgpu::BindGroup,
+    /// By style: silhouettes, wireframe.
+    pub lines: [wgpu::BindGroup; 2],
 }
 
 /// Buffers beside the vertices.
@@ -83,7 +84,12 @@ impl GpuMesh {
     ///
     /// # Errors
     /// [`GpuError::TooLarge`] if a buffer exceeds what the adapter binds.
-    pub(crate) fn new(gpu: &Gpu, layouts: &Layouts, line_style: &wgpu::Buffer, mesh: &Mesh) -> Result<Self, GpuError> {
+    pub(crate) fn new(
+        gpu: &Gpu,
+        layouts: &Layouts,
+        line_styles: &[wgpu::Buffer; 2],
+        mesh: &Mesh,
+    ) -> Result<Self, GpuError> {
         let triangles = mesh.triangles.len() as u64;
         gpu.fits("the mesh's faces", triangles * 32)?;
         gpu.fits("the mesh's vertices", mesh.positions.len() as u64 * 16)?;
@@ -124,7 +130,7 @@ impl GpuMesh {
             None => pulled,
         };
         bytes += triangles * 80;
-        let groups = MeshGroups::new(gpu, layouts, &buffers, &vertex_buffer, &edge_buffer, line_style);
+        let groups = MeshGroups::new(gpu, layouts, &buffers, &vertex_buffer, &edge_buffer, line_styles);
         Ok(Self {
             groups,
             surface: SurfaceBuffers::new(gpu, layouts, None)?,
@@ -181,7 +187,7 @@ impl MeshGroups {
         buffers: &Buffers,
         vertices: &wgpu::Buffer,
         edges: &wgpu::Buffer,
-        line_style: &wgpu::Buffer,
+        line_styles: &[wgpu::Buffer; 2],
     ) -> Self {
         let group = |label, layout: &wgpu::BindGroupLayout, bound: &[(u32, &wgpu::Buffer)]| {
             let entries: Vec<_> = bound
@@ -219,7 +225,7 @@ impl MeshGroups {
                 &layouts.face_frames,
                 &[(0, vertices), (2, indices), (3, face_normals), (5, face_frames)],
             ),
-            lines: group("lines", &layouts.lines, &[(0, line_style), (1, edges)]),
+            lines: line_styles.each_ref().map(|style| group("lines", &layouts.lines, &[(0, style), (1, edges)])),
         }
     }
 }

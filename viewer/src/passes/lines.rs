@@ -1,4 +1,4 @@
-//! Contours, borders and creases over any method.
+//! Contours, borders, creases and the wireframe over any method.
 
 use std::collections::HashMap;
 
@@ -6,11 +6,22 @@ use tam_shaders::{Pass, types};
 
 use super::shading::{depth_state, module};
 use crate::gpu::{Gpu, GpuMesh, Layouts, PixelFormat};
-use crate::params::Silhouettes;
+use crate::params::{RenderParams, Silhouettes};
 
-/// The line pipelines and their style.
+/// Lines over the strokes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LineKind {
+    Silhouettes = 0,
+    Wireframe = 1,
+}
+
+/// Blue, in linear light, that lets paper and ink through and is neither.
+const WIREFRAME_COLOUR: [f32; 4] = [0.02, 0.2, 0.9, 0.7];
+
+/// The line pipelines and their styles.
 pub(crate) struct Lines {
-    pub(crate) style: wgpu::Buffer,
+    /// By kind.
+    pub(crate) styles: [wgpu::Buffer; 2],
     module: wgpu::ShaderModule,
     layout: wgpu::PipelineLayout,
     pipelines: HashMap<(PixelFormat, u32), wgpu::RenderPipeline>,
@@ -19,11 +30,13 @@ pub(crate) struct Lines {
 impl Lines {
     pub(crate) fn new(gpu: &Gpu, layouts: &Layouts) -> Self {
         Self {
-            style: gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("line style"),
-                size: size_of::<types::LineStyle>() as u64,
-                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
+            styles: ["silhouettes", "wireframe"].map(|label| {
+                gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some(label),
+                    size: size_of::<types::LineStyle>() as u64,
+                    usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                    mapped_at_creation: false,
+                })
             }),
             module: module(gpu, Pass::Lines),
             layout: gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -35,18 +48,24 @@ impl Lines {
         }
     }
 
-    /// Writes the style.
-    pub(crate) fn prepare(&self, gpu: &Gpu, silhouettes: &Silhouettes, ink: [f32; 3]) {
-        let style = types::LineStyle {
-            colour: [ink[0], ink[1], ink[2], 1.0],
-            width_px: silhouettes.width_px as f32,
-            crease_cosine: silhouettes.crease_deg.unwrap_or(180.0).to_radians().cos() as f32,
-            contours: silhouettes.contours.into(),
-            borders: silhouettes.borders.into(),
-            creases: silhouettes.crease_deg.is_some().into(),
-            ..types::LineStyle::default()
+    /// The lines that are drawn, the uppermost last.
+    pub(crate) fn drawn(params: &RenderParams) -> impl Iterator<Item = LineKind> {
+        let wireframe = params.wireframe.map(|_| LineKind::Wireframe);
+        wireframe.into_iter().chain(params.silhouettes.map(|_| LineKind::Silhouettes))
+    }
+
+    /// Writes the styles of the lines that are drawn.
+    pub(crate) fn prepare(&self, gpu: &Gpu, params: &RenderParams, ink: [f32; 3]) {
+        let write = |kind: LineKind, style: types::LineStyle| {
+            gpu.queue.write_buffer(&self.styles[kind as usize], 0, bytemuck::bytes_of(&style));
         };
-        gpu.queue.write_buffer(&self.style, 0, bytemuck::bytes_of(&style));
+        if let Some(silhouettes) = &params.silhouettes {
+            write(LineKind::Silhouettes, silhouettes_style(silhouettes, ink));
+        }
+        if let Some(width_px) = params.wireframe {
+            let style = types::LineStyle { colour: WIREFRAME_COLOUR, edges: 1, ..types::LineStyle::default() };
+            write(LineKind::Wireframe, types::LineStyle { width_px: width_px as f32, ..style });
+        }
     }
 
     /// The pipeline for a target, made when first needed.
@@ -89,11 +108,24 @@ impl Lines {
         pipeline: &wgpu::RenderPipeline,
         scene: &wgpu::BindGroup,
         mesh: &GpuMesh,
+        kind: LineKind,
     ) {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, scene, &[]);
         pass.set_bind_group(1, &mesh.groups.drawn, &[]);
-        pass.set_bind_group(2, &mesh.groups.lines, &[]);
+        pass.set_bind_group(2, &mesh.groups.lines[kind as usize], &[]);
         pass.draw(0..4, 0..mesh.edge_count);
+    }
+}
+
+fn silhouettes_style(silhouettes: &Silhouettes, ink: [f32; 3]) -> types::LineStyle {
+    types::LineStyle {
+        colour: [ink[0], ink[1], ink[2], 1.0],
+        width_px: silhouettes.width_px as f32,
+        crease_cosine: silhouettes.crease_deg.unwrap_or(180.0).to_radians().cos() as f32,
+        contours: silhouettes.contours.into(),
+        borders: silhouettes.borders.into(),
+        creases: silhouettes.crease_deg.is_some().into(),
+        ..types::LineStyle::default()
     }
 }

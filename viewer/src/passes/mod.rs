@@ -1,5 +1,6 @@
 //! The passes: what each draws with, and how it is recorded. One stem with the shaders' entry files.
 
+mod debug;
 mod face_frame;
 mod faces;
 mod fine_tone;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use tam_shaders::{Pass, compose};
 
-use super::{face_frame, fine_tone, phong, six_way, stripes, stroke_map};
+use super::{debug, face_frame, fine_tone, phong, six_way, stripes, stroke_map};
 use crate::gpu::{DEPTH_FORMAT, Gpu, GpuMesh, Layouts, MapKind, PixelFormat};
 use crate::params::{Blend, Follow, Form, Mapping, Method, RenderParams};
 
@@ -57,8 +57,13 @@ pub(crate) fn form_constant(form: Form) -> u32 {
     }
 }
 
-/// The variant that draws with these parameters.
-pub(crate) fn variant(params: &RenderParams) -> Variant {
+/// The variant that draws a mesh with these parameters.
+pub(crate) fn variant(params: &RenderParams, mesh: &GpuMesh) -> Variant {
+    params.debug.map_or_else(|| method_variant(params), |view| debug::variant(view, params, mesh))
+}
+
+/// The variant of a method.
+pub(super) fn method_variant(params: &RenderParams) -> Variant {
     match params.method {
         Method::Phong => phong::variant(),
         Method::SixWay => six_way::variant(params),

@@ -255,7 +255,8 @@ impl Drawn {
             let down = (other / 2) as f64 - (lane / 2) as f64;
             self.shape.weights(DVec2::new(at[0] as f64 + 0.5 + step * across, at[1] as f64 + 0.5 + step * down))
         });
-        shader.fragment(b, &self.corners, self.face - b.material.first_face, &weights, lane, self.shape.front)
+        let place_px = (DVec2::new(at[0] as f64, at[1] as f64) + 0.5) / step;
+        shader.fragment(b, &self.corners, self.face - b.material.first_face, &weights, place_px, lane, self.shape.front)
     }
 }
 

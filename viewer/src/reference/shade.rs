@@ -5,7 +5,9 @@ use tam_shaders::Pass;
 use tam_shaders::cpu::face_frame_vertex::HatchOut;
 use tam_shaders::cpu::lib::surface::{FragmentIn, surface_vertex};
 use tam_shaders::cpu::six_way::Weights;
-use tam_shaders::cpu::{Bindings, Quad, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map};
+use tam_shaders::cpu::{
+    Bindings, Quad, debug, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map,
+};
 
 use super::ReferenceError;
 
@@ -19,6 +21,7 @@ pub(super) enum Shader {
     StrokeMap,
     FineTone,
     Stripes,
+    Debug,
 }
 
 /// What a vertex hands on; each pass fills what it has.
@@ -42,6 +45,7 @@ impl Shader {
             Pass::StrokeMap => Ok(Self::StrokeMap),
             Pass::FineTone => Ok(Self::FineTone),
             Pass::Stripes => Ok(Self::Stripes),
+            Pass::Debug => Ok(Self::Debug),
             Pass::FaceGeometry | Pass::FaceFrames | Pass::Lines => Err(ReferenceError::NoSurface(pass)),
         }
     }
@@ -63,13 +67,16 @@ impl Shader {
         })
     }
 
-    /// Colour of one fragment of a quad, linear light. `weights` are those of the corners at each fragment.
+    /// Colour of one fragment of a quad, linear light. `weights` are those of the corners at each fragment, `place_px`
+    /// is its middle on the screen.
+    #[expect(clippy::too_many_arguments, reason = "what the rasteriser knows of a fragment")]
     pub(super) fn fragment(
         self,
         b: &Bindings<'_>,
         corners: &[Corner; 3],
         primitive: u32,
         weights: &Quad<DVec3>,
+        place_px: DVec2,
         lane: usize,
         front: bool,
     ) -> DVec4 {
@@ -84,6 +91,7 @@ impl Shader {
             Self::FineTone => fine_tone::fragment(b, &quad, lane, front),
             Self::StrokeMap => stroke_map::fragment(b, &quad, lane, front),
             Self::Stripes => stripes::fragment(b, &quad, lane, front),
+            Self::Debug => debug::fragment(b, &quad, place_px, lane, front),
             Self::FaceFrame => face_frame::fragment(b, &quad[lane], front),
             Self::SixWay => {
                 let six = Weights {

@@ -28,10 +28,14 @@ pub fn column_coordinate(form: Form, material: &Material, d: f64) -> f64 {
     f64::from(low) + ((d - a) / (b - a).max(1e-6)).clamp(0.0, 1.0)
 }
 
-/// Level of detail for a footprint in tiles per pixel.
+/// Level of detail for a footprint in tiles per pixel, as if there were levels without end.
+pub fn wanted_level(material: &Material, tiles_per_px: f64) -> f64 {
+    (tiles_per_px * material.size_px).max(1e-6).log2() + material.level_bias
+}
+
+/// The same among those there are.
 pub fn map_level(material: &Material, tiles_per_px: f64) -> f64 {
-    let level = (tiles_per_px * material.size_px).max(1e-6).log2() + material.level_bias;
-    level.clamp(0.0, material.level_count - 1.0)
+    wanted_level(material, tiles_per_px).clamp(0.0, material.level_count - 1.0)
 }
 
 /// Ink of an array whose layer k holds column k and column k + 1 in its two channels (column 0 is white).

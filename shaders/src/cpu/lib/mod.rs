@@ -3,8 +3,10 @@
 pub mod adjacency;
 pub mod barycentric;
 pub mod blend;
+pub mod colour;
 pub mod columns;
 pub mod corners;
+pub mod directions;
 pub mod face_frame;
 pub mod form;
 pub mod halftone;

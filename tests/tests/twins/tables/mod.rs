@@ -1,5 +1,7 @@
 //! The rows, by what they are about, with the reason of each tolerance beside it.
 
+mod debug;
+mod directions;
 mod frames;
 mod light;
 mod lines;
@@ -18,7 +20,14 @@ use crate::row::Row;
 /// All rows.
 pub(crate) fn all() -> Vec<Row> {
     let tables = [light::rows(), maps::rows(), patches::rows(), stripes::rows(), frames::rows(), surface::rows()];
-    tables.into_iter().flatten().chain(lines::rows()).chain(strokes::rows()).collect()
+    tables
+        .into_iter()
+        .flatten()
+        .chain(lines::rows())
+        .chain(strokes::rows())
+        .chain(debug::rows())
+        .chain(directions::rows())
+        .collect()
 }
 
 /// A surface point: place and depth, normal, view, uv and face.

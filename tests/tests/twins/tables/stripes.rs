@@ -2,12 +2,12 @@
 
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
-use tam_shaders::cpu::lib::barycentric::corner_slopes;
+use tam_shaders::cpu::lib::barycentric::{Place, corner_slopes, place_in_face};
 use tam_shaders::cpu::lib::stripes::{
     crossed_darkness, doubled_ink, nearest_side, round_share, round_slope, side_weights, stripe_phase, stripe_slope,
     unfolded_corners, windings,
 };
-use tam_shaders::cpu::stripes::{ALONG, Place, crossed_ink, place_in_face, stripes_ink};
+use tam_shaders::cpu::stripes::{ALONG, crossed_ink, stripes_ink};
 use tam_shaders::types::StripePhases;
 
 use super::{any_point, one, three, two};

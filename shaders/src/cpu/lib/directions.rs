@@ -1,0 +1,111 @@
+//! Twin of `lib/directions.wgsl`: directions of strokes on the screen, as complex numbers of twice the angle, counted
+//! from the horizontal counter-clockwise. Unit where one pattern is drawn, shorter the less several agree, 0 where there
+//! is none.
+
+use glam::{DVec2, DVec3};
+
+use super::barycentric::Place;
+use super::face_frame::{complex_square, fixed_tangent, unpack_shares};
+use super::mapping::triplanar_weights;
+use super::material::Material;
+use super::mesh_types::FaceFrame;
+use super::patches::{MAX_PATCHES, TURNS, entry_turn, patch_place, patches_at, unpack_tens};
+use super::stripes::stripe_slope;
+use super::surface::Point;
+use crate::cpu::{Bindings, Follow, Mapping};
+
+/// Shorter gradients, in tiles or lines per pixel, have no direction.
+pub const LEAST_GRADIENT: f64 = 1e-9_f32 as f64;
+
+/// Direction across a gradient: the change to the pixel on the right and to the one below.
+pub fn direction_across(gradient: DVec2) -> DVec2 {
+    let g = gradient.length();
+    if g.is_nan() || g <= LEAST_GRADIENT {
+        return DVec2::ZERO;
+    }
+    -complex_square(DVec2::new(gradient.x, -gradient.y) / g)
+}
+
+/// The direction of a pattern's strokes, given the changes of its surface coordinates to the right and below.
+pub fn pattern_direction(material: &Material, st_dx: DVec2, st_dy: DVec2) -> DVec2 {
+    let v = DVec2::new(material.tile_from_surface.z, material.tile_from_surface.w);
+    direction_across(DVec2::new(v.dot(st_dx), v.dot(st_dy)))
+}
+
+/// Of the strokes in a frame; `dx` and `dy` are changes of the place in the space of the frames.
+pub fn frame_direction(material: &Material, n: DVec3, frame: &FaceFrame, dx: DVec3, dy: DVec3) -> DVec2 {
+    let in_frame = |t: DVec3, b: DVec3| {
+        let st = |v: DVec3| DVec2::new(t.dot(v), b.dot(v));
+        pattern_direction(material, st(dx), st(dy))
+    };
+    let e = fixed_tangent(n);
+    in_frame(frame.tangent, frame.bitangent).lerp(in_frame(e, n.cross(e)), unpack_shares(frame.shares).z)
+}
+
+/// Of three planes.
+pub fn triplanar_direction(material: &Material, n: DVec3, dx: DVec3, dy: DVec3) -> DVec2 {
+    let w = triplanar_weights(n);
+    let plane = |st: fn(DVec3) -> DVec2| pattern_direction(material, st(dx), st(dy));
+    w.x * plane(|p| DVec2::new(p.z, p.y)) + w.y * plane(|p| DVec2::new(p.x, p.z)) + w.z * plane(DVec3::truncate)
+}
+
+/// A place turned about the origin.
+pub fn rotated(place: DVec2, angle_rad: f64) -> DVec2 {
+    DVec2::from_angle(angle_rad).rotate(place)
+}
+
+/// Of patches.
+pub fn patches_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 {
+    let patches = patches_at(b.patches, face, place.weights);
+    let copies = if b.options.follow == Follow::Light { TURNS } else { 1 };
+    let mut direction = DVec2::ZERO;
+    for (i, weight) in patches.weights[..patches.count].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+        let entry = patches.first + i;
+        let places = b.patches.entries[entry].places;
+        let [st_dx, st_dy] = [place.dx, place.dy].map(|change| patch_place(places, change));
+        for copy in 0..copies {
+            let turn = entry_turn(b.options.follow, b.patches, entry, copy);
+            let own = pattern_direction(b.material, rotated(st_dx, turn.z), rotated(st_dy, turn.z));
+            direction += *weight * turn.w * own;
+        }
+    }
+    direction
+}
+
+/// Of lapped textures.
+pub fn lapped_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 {
+    let (first, end) = (b.patches.starts[face] as usize, b.patches.starts[face + 1] as usize);
+    let mut direction = DVec2::ZERO;
+    for entry in &b.patches.entries[first..end.min(first + MAX_PATCHES)] {
+        let alpha = unpack_tens(entry.shares).dot(place.weights).clamp(0.0, 1.0);
+        let [st_dx, st_dy] = [place.dx, place.dy].map(|change| patch_place(entry.places, change));
+        direction = direction.lerp(pattern_direction(b.material, st_dx, st_dy), alpha);
+    }
+    direction
+}
+
+/// Of the lines along the field.
+pub fn stripes_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 {
+    let slope = |dw| stripe_slope(&b.stripes.along[face], place.weights, dw);
+    direction_across(DVec2::new(slope(place.dx), slope(place.dy)))
+}
+
+/// Of the mapping; `uv_dx` and `uv_dy` are changes of the mesh's own uv.
+pub fn mapped_direction(
+    b: &Bindings<'_>,
+    point: &Point,
+    place: &Place,
+    [dx, dy]: [DVec3; 2],
+    [uv_dx, uv_dy]: [DVec2; 2],
+) -> DVec2 {
+    match b.options.mapping {
+        Mapping::Frames => {
+            let n = b.mesh.face_normals[point.face].truncate();
+            frame_direction(b.material, n, &b.mesh.face_frames[point.face], dx, dy)
+        }
+        Mapping::Triplanar => triplanar_direction(b.material, point.normal, dx, dy),
+        Mapping::Patches => patches_direction(b, point.face, place),
+        Mapping::Lapped => lapped_direction(b, point.face, place),
+        Mapping::Uv => pattern_direction(b.material, uv_dx, uv_dy),
+    }
+}

@@ -1,0 +1,101 @@
+// Directions of strokes on the screen. A stroke keeps to a line of equal v on its tile, so it runs across v's gradient on
+// the screen. A direction is a complex number of twice the angle, counted from the horizontal counter-clockwise, so that
+// both ways along a stroke are the same: unit where one pattern is drawn, shorter the less several agree, 0 where there
+// is none. Knöppel and others, "Globally optimal direction fields", 2013, section 2, for n = 2.
+//!include lib/mapping.wgsl
+//!include lib/patches.wgsl
+//!include lib/stripes.wgsl
+
+// Shorter gradients, in tiles or lines per pixel, have none.
+const LEAST_GRADIENT: f32 = 1e-9;
+
+// `gradient` is the change to the pixel on the right and to the one below.
+fn direction_across(gradient: vec2f) -> vec2f {
+    let g = length(gradient);
+    if !(g > LEAST_GRADIENT) {
+        return vec2f(0.0);
+    }
+    return -complex_square(vec2f(gradient.x, -gradient.y) / g);
+}
+
+// The direction of a pattern's strokes, given the changes of its surface coordinates to the right and below.
+fn pattern_direction(st_dx: vec2f, st_dy: vec2f) -> vec2f {
+    let v = material.tile_from_surface.zw;
+    return direction_across(vec2f(dot(v, st_dx), dot(v, st_dy)));
+}
+
+// `dx` and `dy` are changes of the place in the space of the frames. A frame and its half turn have one direction.
+fn frame_direction(n: vec3f, frame: FaceFrame, dx: vec3f, dy: vec3f) -> vec2f {
+    let t = frame.tangent;
+    let b = vec3f(frame.bitangent_x, frame.bitangent_yz);
+    let e = fixed_tangent(n);
+    let f = cross(n, e);
+    let fixed = unpack_shares(frame.shares).z;
+    let direction = pattern_direction(vec2f(dot(t, dx), dot(b, dx)), vec2f(dot(t, dy), dot(b, dy)));
+    return mix(direction, pattern_direction(vec2f(dot(e, dx), dot(f, dx)), vec2f(dot(e, dy), dot(f, dy))), fixed);
+}
+
+fn triplanar_direction(n: vec3f, dx: vec3f, dy: vec3f) -> vec2f {
+    let w = triplanar_weights(n);
+    return w.x * pattern_direction(dx.zy, dy.zy) + w.y * pattern_direction(dx.xz, dy.xz) + w.z * pattern_direction(dx.xy, dy.xy);
+}
+
+fn rotated(place: vec2f, angle_rad: f32) -> vec2f {
+    let c = cos(angle_rad);
+    let s = sin(angle_rad);
+    return vec2f(c * place.x - s * place.y, s * place.x + c * place.y);
+}
+
+fn patches_direction(face: u32, place: Place) -> vec2f {
+    let patches = patches_at(face, place.weights);
+    var direction = vec2f(0.0);
+    for (var i = 0u; i < patches.count; i++) {
+        if patches.weights[i] == 0.0 {
+            continue;
+        }
+        let entry = patches.first + i;
+        let places = patch_entries[entry].places;
+        let st_dx = patch_place(places, place.dx);
+        let st_dy = patch_place(places, place.dy);
+        for (var copy = 0u; copy < select(1u, TURNS, FOLLOW == FOLLOW_LIGHT); copy++) {
+            let turn = entry_turn(entry, copy);
+            direction += patches.weights[i] * turn.w * pattern_direction(rotated(st_dx, turn.z), rotated(st_dy, turn.z));
+        }
+    }
+    return direction;
+}
+
+fn lapped_direction(face: u32, place: Place) -> vec2f {
+    let first = patch_starts[face];
+    let count = min(patch_starts[face + 1u] - first, MAX_PATCHES);
+    var direction = vec2f(0.0);
+    for (var i = 0u; i < count; i++) {
+        let entry = patch_entries[first + i];
+        let alpha = clamp(dot(unpack_tens(entry.shares), place.weights), 0.0, 1.0);
+        let own = pattern_direction(patch_place(entry.places, place.dx), patch_place(entry.places, place.dy));
+        direction = mix(direction, own, alpha);
+    }
+    return direction;
+}
+
+fn stripes_direction(face: u32, place: Place) -> vec2f {
+    let s = stripes_along[face];
+    return direction_across(vec2f(stripe_slope(s, place.weights, place.dx), stripe_slope(s, place.weights, place.dy)));
+}
+
+// Of the mapping; `uv_dx` and `uv_dy` are changes of the mesh's own uv.
+fn mapped_direction(point: Point, place: Place, dx: vec3f, dy: vec3f, uv_dx: vec2f, uv_dy: vec2f) -> vec2f {
+    if MAPPING == MAPPING_FRAMES {
+        return frame_direction(face_normals[point.face].xyz, face_frames[point.face], dx, dy);
+    }
+    if MAPPING == MAPPING_TRIPLANAR {
+        return triplanar_direction(point.normal, dx, dy);
+    }
+    if MAPPING == MAPPING_PATCHES {
+        return patches_direction(point.face, place);
+    }
+    if MAPPING == MAPPING_LAPPED {
+        return lapped_direction(point.face, place);
+    }
+    return pattern_direction(uv_dx, uv_dy);
+}
