@@ -26,6 +26,9 @@ mod timer;
 pub mod sheet;
 pub mod turntable;
 
+#[cfg(feature = "app")]
+pub mod app;
+
 pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
 pub use renderer::{MAX_PARTS, RenderError, Renderer};
 pub use scene::{Camera, Light, LightKind, Lights, Material, Scene};

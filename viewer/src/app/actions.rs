@@ -12,7 +12,7 @@ use crate::{Form, Light, LightKind, Mapping, Method};
 
 /// Something a user can do.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Action {
+pub(crate) struct Action {
     /// Where it is among the menus.
     pub group: Group,
     /// What it does.
@@ -27,7 +27,7 @@ pub struct Action {
 
 /// A menu, or a part of the help.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
+pub(crate) enum Group {
     /// Presets and files.
     File,
     /// Changes.
@@ -50,7 +50,7 @@ pub enum Group {
 
 impl Group {
     /// All of them, in the order of the menus.
-    pub const ALL: [Self; 9] = [
+    pub(crate) const ALL: [Self; 9] = [
         Self::File,
         Self::Edit,
         Self::Method,
@@ -63,7 +63,7 @@ impl Group {
     ];
 
     /// What the menu says.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Self::File => "File",
             Self::Edit => "Edit",
@@ -85,7 +85,7 @@ const NUMBER_KEYS: [Key; 9] =
     [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
 /// All actions, as the state has them.
-pub fn actions(state: &State) -> Vec<Action> {
+pub(crate) fn actions(state: &State) -> Vec<Action> {
     let mut all = Vec::with_capacity(90);
     files(state, &mut all);
     edits(&mut all);
@@ -97,7 +97,7 @@ pub fn actions(state: &State) -> Vec<Action> {
 }
 
 /// Whether an action can be done now.
-pub fn is_possible(action: &Action, state: &State, history: &History) -> bool {
+pub(crate) fn is_possible(action: &Action, state: &State, history: &History) -> bool {
     match &action.command {
         Command::Undo => history.has_undo(state),
         Command::Redo => history.has_redo(state),
@@ -296,7 +296,7 @@ fn windows(state: &State, all: &mut Vec<Action>) {
 }
 
 /// What a method is called.
-pub fn method_label(method: Method) -> &'static str {
+pub(crate) fn method_label(method: Method) -> &'static str {
     match method {
         Method::Phong => "Phong (no strokes)",
         Method::SixWay => "Six-way blend",
@@ -309,7 +309,7 @@ pub fn method_label(method: Method) -> &'static str {
 }
 
 /// What a mapping is called.
-pub fn mapping_label(mapping: Mapping) -> &'static str {
+pub(crate) fn mapping_label(mapping: Mapping) -> &'static str {
     match mapping {
         Mapping::Uv => "The mesh's uv",
         Mapping::Frames => "Light-aligned frames",
@@ -320,7 +320,7 @@ pub fn mapping_label(mapping: Mapping) -> &'static str {
 }
 
 /// What a view for inspection is called.
-pub fn debug_label(view: DebugView) -> &'static str {
+pub(crate) fn debug_label(view: DebugView) -> &'static str {
     match view {
         DebugView::Tone => "Tone",
         DebugView::Level => "Mip level",

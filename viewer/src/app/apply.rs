@@ -13,7 +13,7 @@ use super::state::{Dialog, Document, MeshSource, Notice, PresetSource, Severity,
 use crate::surface::guides;
 
 /// State with its past and its panels.
-pub struct Model {
+pub(crate) struct Model {
     /// All state.
     pub state: State,
     /// What undo knows.
@@ -68,7 +68,7 @@ pub enum Ask {
 pub const MESH_KINDS: [&str; 5] = ["obj", "gltf", "glb", "ply", "stl"];
 
 /// Carries out a command; what it needs of the world is left to the caller.
-pub fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
+pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
     let state = &mut model.state;
     match command {
         Command::SetPreset(preset) => state.document.preset = *preset,
@@ -205,7 +205,7 @@ pub fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
 }
 
 /// A message to the user.
-pub fn tell(state: &mut State, severity: Severity, text: String) {
+pub(crate) fn tell(state: &mut State, severity: Severity, text: String) {
     state.transient.notices.push(Notice { severity, text });
 }
 

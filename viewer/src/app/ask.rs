@@ -10,7 +10,7 @@ use super::command::Command;
 use super::work::Wake;
 
 /// Open dialogs and their answers.
-pub struct Asker {
+pub(crate) struct Asker {
     answers: Receiver<Command>,
     sender: Sender<Command>,
     wake: Wake,
@@ -18,13 +18,13 @@ pub struct Asker {
 
 impl Asker {
     /// Without open dialogs.
-    pub fn new(wake: Wake) -> Self {
+    pub(crate) fn new(wake: Wake) -> Self {
         let (sender, answers) = channel();
         Self { answers, sender, wake }
     }
 
     /// Opens a dialog; it does not wait for the answer, which may never come.
-    pub fn ask(&self, ask: Ask) {
+    pub(crate) fn ask(&self, ask: Ask) {
         let (sender, wake) = (self.sender.clone(), std::sync::Arc::clone(&self.wake));
         // Dialogs are made here, where some systems want it, and waited for elsewhere.
         let dialog = dialog(&ask);
@@ -40,7 +40,7 @@ impl Asker {
     }
 
     /// What was answered since the last call.
-    pub fn answers(&self) -> impl Iterator<Item = Command> + '_ {
+    pub(crate) fn answers(&self) -> impl Iterator<Item = Command> + '_ {
         self.answers.try_iter()
     }
 }

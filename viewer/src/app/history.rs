@@ -15,7 +15,7 @@ const STEPS: usize = 200;
 
 /// What was, and what was undone.
 #[derive(Clone, Debug)]
-pub struct History {
+pub(crate) struct History {
     documents: Undoer<Document>,
     cameras: Undoer<Camera>,
 }
@@ -31,7 +31,7 @@ impl History {
     /// Looks at the state at a time in seconds; `held`: a gesture is going on.
     ///
     /// Returns whether it wants to look again soon.
-    pub fn watch(&mut self, time_s: f64, held: bool, state: &State) -> bool {
+    pub(crate) fn watch(&mut self, time_s: f64, held: bool, state: &State) -> bool {
         if !held {
             self.documents.feed_state(time_s, &state.document);
             self.cameras.feed_state(time_s, &state.camera);
@@ -40,32 +40,32 @@ impl History {
     }
 
     /// Whether there is anything to take back.
-    pub fn has_undo(&self, state: &State) -> bool {
+    pub(crate) fn has_undo(&self, state: &State) -> bool {
         self.documents.has_undo(&state.document)
     }
 
     /// Whether there is anything to do again.
-    pub fn has_redo(&self, state: &State) -> bool {
+    pub(crate) fn has_redo(&self, state: &State) -> bool {
         self.documents.has_redo(&state.document)
     }
 
     /// The document before the last change.
-    pub fn undo(&mut self, state: &State) -> Option<Document> {
+    pub(crate) fn undo(&mut self, state: &State) -> Option<Document> {
         self.documents.undo(&state.document).cloned()
     }
 
     /// The document before the last undo.
-    pub fn redo(&mut self, state: &State) -> Option<Document> {
+    pub(crate) fn redo(&mut self, state: &State) -> Option<Document> {
         self.documents.redo(&state.document).cloned()
     }
 
     /// The camera before the last movement.
-    pub fn undo_view(&mut self, state: &State) -> Option<Camera> {
+    pub(crate) fn undo_view(&mut self, state: &State) -> Option<Camera> {
         self.cameras.undo(&state.camera).copied()
     }
 
     /// The camera before the last step back.
-    pub fn redo_view(&mut self, state: &State) -> Option<Camera> {
+    pub(crate) fn redo_view(&mut self, state: &State) -> Option<Camera> {
         self.cameras.redo(&state.camera).copied()
     }
 }

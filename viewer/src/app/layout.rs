@@ -54,7 +54,7 @@ impl Pane {
 }
 
 /// The panels as they are at first: gallery and scene on the left, the picture over the map, numbers on the right.
-pub fn default_layout() -> Tree<Pane> {
+pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
         let children = panes.iter().map(|pane| tiles.insert_pane(*pane)).collect();
@@ -66,7 +66,7 @@ pub fn default_layout() -> Tree<Pane> {
     let right = tabs(&mut tiles, &[Pane::Strokes, Pane::Shading, Pane::Export]);
     let middle = split(&mut tiles, LinearDir::Vertical, &[(view, 0.68), (map, 0.32)]);
     let root = split(&mut tiles, LinearDir::Horizontal, &[(left, 0.17), (middle, 0.57), (right, 0.26)]);
-    Tree::new("panels", root, tiles)
+    Tree::new(egui::Id::unique("panels"), root, tiles)
 }
 
 fn split(tiles: &mut Tiles<Pane>, dir: LinearDir, children: &[(TileId, f32)]) -> TileId {
@@ -78,7 +78,7 @@ fn split(tiles: &mut Tiles<Pane>, dir: LinearDir, children: &[(TileId, f32)]) ->
 }
 
 /// Whether every panel is there exactly once; a file may say anything.
-pub fn is_whole(tree: &Tree<Pane>) -> bool {
+pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
     let panes = |wanted: Pane| {
         tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(pane) if *pane == wanted)).count()
     };

@@ -8,7 +8,7 @@ use crate::mesh::Mesh;
 
 /// A line of sight, in the world.
 #[derive(Clone, Copy, Debug)]
-pub struct Ray {
+pub(crate) struct Ray {
     /// Where it starts.
     pub from: DVec3,
     /// Unit.
@@ -17,7 +17,7 @@ pub struct Ray {
 
 impl Ray {
     /// Through a place of the picture, -1..=1 from left to right and from bottom to top; `aspect` is width over height.
-    pub fn through(camera: &Camera, at: DVec2, aspect: f64) -> Self {
+    pub(crate) fn through(camera: &Camera, at: DVec2, aspect: f64) -> Self {
         let view = camera.view_from_world();
         let (right, up) = (view.row(0).truncate(), view.row(1).truncate());
         let half = (camera.field_of_view_deg.to_radians() * 0.5).tan();
@@ -27,7 +27,7 @@ impl Ray {
 }
 
 /// The nearest point of a mesh at rest on a ray.
-pub fn pick(mesh: &Mesh, ray: &Ray) -> Option<DVec3> {
+pub(crate) fn pick(mesh: &Mesh, ray: &Ray) -> Option<DVec3> {
     let (from, along) = (ray.from.as_vec3(), ray.along.as_vec3());
     let hit = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|vertex| mesh.positions[vertex as usize]);

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use eframe::NativeOptions;
-use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup};
 
 use super::window::{App, Options};
 
@@ -37,18 +36,14 @@ pub struct WindowOptions {
 /// # Errors
 /// [`AppError`]: no display, no adapter, or the picture that was asked for could not be written.
 pub fn run(options: WindowOptions) -> Result<(), AppError> {
-    let mut viewport = egui::ViewportBuilder::default()
+    let viewport = egui::ViewportBuilder::default()
         .with_title("tam-viewer")
         .with_app_id("tam-viewer")
         .with_min_inner_size(LEAST)
         .with_inner_size(options.size.unwrap_or([1440.0, 900.0]));
-    if options.size.is_none() && options.picture.is_none() {
-        viewport = viewport.with_maximized(false);
-    }
     let native = NativeOptions {
         viewport,
         persist_window: options.size.is_none() && options.picture.is_none(),
-        wgpu_options: WgpuConfiguration { wgpu_setup: WgpuSetup::default(), ..WgpuConfiguration::default() },
         ..NativeOptions::default()
     };
     let (sent, written) = std::sync::mpsc::channel();

@@ -13,7 +13,7 @@ const BYTES_MAX: u64 = 64 << 20;
 
 /// What a restart brings back.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Session {
+pub(crate) struct Session {
     /// Document, camera and settings.
     pub state: State,
     /// Where the panels are.
@@ -24,7 +24,7 @@ pub struct Session {
 
 /// A session that cannot be read or written.
 #[derive(Debug, thiserror::Error)]
-pub enum SessionError {
+pub(crate) enum SessionError {
     /// The file.
     #[error("{}: {source}", path.display())]
     File {
@@ -53,7 +53,7 @@ pub fn default_path() -> Option<PathBuf> {
 ///
 /// # Errors
 /// [`SessionError`]: the file cannot be read or holds something else.
-pub fn read(path: &Path) -> Result<Option<Session>, SessionError> {
+pub(crate) fn read(path: &Path) -> Result<Option<Session>, SessionError> {
     let failed = |source| SessionError::File { path: path.to_owned(), source };
     let content = |problem: String| SessionError::Content { path: path.to_owned(), problem };
     let size = match std::fs::metadata(path) {
@@ -76,7 +76,7 @@ pub fn read(path: &Path) -> Result<Option<Session>, SessionError> {
 ///
 /// # Errors
 /// [`SessionError::File`].
-pub fn write(path: &Path, session: &Session) -> Result<(), SessionError> {
+pub(crate) fn write(path: &Path, session: &Session) -> Result<(), SessionError> {
     let failed = |source| SessionError::File { path: path.to_owned(), source };
     let text = serde_json::to_vec_pretty(session)
         .map_err(|error| SessionError::Content { path: path.to_owned(), problem: error.to_string() })?;

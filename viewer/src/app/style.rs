@@ -8,14 +8,14 @@ use super::state::{Settings, Theme};
 const ACCENT: Color32 = Color32::from_rgb(74, 132, 220);
 
 /// Sets up both themes; done once.
-pub fn install(ctx: &Context) {
+pub(crate) fn install(ctx: &Context) {
     for shade in [Shade::Dark, Shade::Light] {
         ctx.style_mut_of(shade, |style| dress(style, shade));
     }
 }
 
 /// Follows the settings.
-pub fn follow(ctx: &Context, settings: &Settings) {
+pub(crate) fn follow(ctx: &Context, settings: &Settings) {
     let preference = match settings.theme {
         Theme::Dark => ThemePreference::Dark,
         Theme::Light => ThemePreference::Light,

@@ -7,18 +7,18 @@ use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 /// Uploaded pictures, by name; one is uploaded again when its content changes.
 #[derive(Default)]
-pub struct Textures {
+pub(crate) struct Textures {
     uploaded: HashMap<String, (usize, TextureHandle)>,
 }
 
 impl Textures {
     /// A picture that was made elsewhere; `version` tells contents apart.
-    pub fn of(&mut self, ctx: &Context, name: &str, version: usize, image: &Arc<ColorImage>) -> TextureHandle {
+    pub(crate) fn of(&mut self, ctx: &Context, name: &str, version: usize, image: &Arc<ColorImage>) -> TextureHandle {
         self.made(ctx, name, version, TextureOptions::LINEAR, || (**image).clone())
     }
 
     /// A picture that is made now, if its version is another than the last; sharp texels.
-    pub fn sharp(
+    pub(crate) fn sharp(
         &mut self,
         ctx: &Context,
         name: &str,

@@ -8,7 +8,7 @@ use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use super::work::Wake;
 
 /// Watches one file at a time.
-pub struct FileWatch {
+pub(crate) struct FileWatch {
     watched: Option<(PathBuf, RecommendedWatcher)>,
     changes: Receiver<()>,
     wake: Wake,
@@ -16,12 +16,12 @@ pub struct FileWatch {
 
 impl FileWatch {
     /// Watches nothing yet.
-    pub fn new(wake: Wake) -> Self {
+    pub(crate) fn new(wake: Wake) -> Self {
         Self { watched: None, changes: channel().1, wake }
     }
 
     /// Watches this file from now on. Where the system cannot watch, nothing is noticed.
-    pub fn follow(&mut self, path: Option<&Path>) {
+    pub(crate) fn follow(&mut self, path: Option<&Path>) {
         if self.watched.as_ref().map(|(watched, _)| watched.as_path()) == path {
             return;
         }
@@ -46,7 +46,7 @@ impl FileWatch {
     }
 
     /// Whether the file was changed since the last call.
-    pub fn changed(&self) -> bool {
+    pub(crate) fn changed(&self) -> bool {
         self.changes.try_iter().count() > 0
     }
 }

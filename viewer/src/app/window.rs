@@ -1,7 +1,7 @@
 //! The window: draws the panels, carries out what they ask for, and lets the engine follow.
 
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -223,7 +223,7 @@ impl App {
             view: &mut self.view,
             can: &can,
         };
-        *panel.view = ViewReport { size_px: [0; 2], dragged: false, ..panel.view.clone() };
+        panel.view.hide();
         egui::Panel::top("menu").show(ui, |ui| menu_bar(&mut panel, ui, actions));
         egui::Panel::bottom("status").show(ui, |ui| status_bar(&mut panel, ui));
         let ctx = ui.ctx().clone();
@@ -437,7 +437,7 @@ fn held_keys(modifiers: egui::Modifiers) -> u8 {
 /// Files that were dropped onto the window.
 fn dropped(ctx: &Context, commands: &mut Vec<Command>) {
     let files = ctx.input(|input| input.raw.dropped_files.clone());
-    let paths: Vec<PathBuf> = files.iter().filter_map(|file| file.path().map(Path::to_owned)).collect();
+    let paths: Vec<PathBuf> = files.iter().map(|file| file.path().to_owned()).collect();
     if !paths.is_empty() {
         commands.push(Command::OpenFiles(paths));
     }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 /// A size in bytes: `340 KB`, `1.6 MB`.
-pub fn bytes(bytes: u64) -> String {
+pub(crate) fn bytes(bytes: u64) -> String {
     match bytes {
         0..1_000 => format!("{bytes} B"),
         1_000..1_000_000 => format!("{:.0} KB", bytes as f64 / 1e3),
@@ -13,7 +13,7 @@ pub fn bytes(bytes: u64) -> String {
 }
 
 /// A time: `6.3 ms`, `140 ms`, `2.1 s`.
-pub fn duration(duration: Duration) -> String {
+pub(crate) fn duration(duration: Duration) -> String {
     let milliseconds = duration.as_secs_f64() * 1e3;
     match milliseconds {
         ..10.0 => format!("{milliseconds:.1} ms"),
@@ -23,7 +23,7 @@ pub fn duration(duration: Duration) -> String {
 }
 
 /// A key of an option as a name: `width_px` is `Width`.
-pub fn option_name(key: &str) -> String {
+pub(crate) fn option_name(key: &str) -> String {
     let stem = key.strip_suffix("_px").or_else(|| key.strip_suffix("_deg")).unwrap_or(key);
     let mut words = stem.replace('_', " ");
     if let Some(first) = words.get_mut(..1) {
@@ -33,13 +33,13 @@ pub fn option_name(key: &str) -> String {
 }
 
 /// `1 triangle`, `20 000 triangles`.
-pub fn counted(count: usize, what: &str) -> String {
+pub(crate) fn counted(count: usize, what: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{} {what}{plural}", grouped(count))
 }
 
 /// A whole number in groups of three digits.
-pub fn grouped(count: usize) -> String {
+pub(crate) fn grouped(count: usize) -> String {
     let digits = count.to_string();
     let mut grouped = String::new();
     for (i, digit) in digits.chars().enumerate() {

@@ -6,6 +6,7 @@ use tam_gen::command::{Common, STYLES};
 
 const EXAMPLES: &str = "\
 Examples:
+  tam-viewer                                          opens the window
   tam-viewer render                                   torus-knot.png: a knot in pencil
   tam-viewer render --mesh ./mine.obj --map engraving
   tam-viewer compare --mesh torus-knot                all methods side by side, with what they cost
@@ -29,18 +30,23 @@ Examples:
   tam-viewer man | man -l -                            read it
   tam-viewer man -o ~/.local/share/man/man1            install the pages of all commands";
 
-/// Renders meshes with tonal art maps on the GPU, to pictures.
+/// Makes stroke materials live on any mesh, and renders meshes with them to pictures.
+///
+/// Without a command the window opens.
 #[derive(Debug, Parser)]
 #[command(name = "tam-viewer", version, styles = STYLES, after_help = EXAMPLES, max_term_width = 120)]
 pub(super) struct Cli {
     #[command(subcommand)]
-    pub(super) command: Command,
+    pub(super) command: Option<Command>,
     #[command(flatten)]
     pub(super) common: Common,
 }
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
+    /// Open the window, with files
+    #[cfg(feature = "app")]
+    App(super::app::AppArgs),
     /// Draw a mesh to a picture
     Render(Box<super::render::RenderArgs>),
     /// Draw all methods side by side on one sheet, with what a frame costs

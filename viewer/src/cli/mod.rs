@@ -1,6 +1,8 @@
 //! The command line: parse, turn into options, call the library.
 
 mod adapters;
+#[cfg(feature = "app")]
+mod app;
 mod args;
 mod compare;
 mod field;
@@ -30,7 +32,19 @@ pub(crate) fn run() -> ExitCode {
     };
     let output = cli.common.output();
     start_log(cli.common.verbose);
-    match in_pool(cli.common.threads, || dispatch(&cli.command, &output)) {
+    // A window must be on the first thread of the process, which no pool has.
+    #[cfg(feature = "app")]
+    let done = match &cli.command {
+        None => app::run(&app::AppArgs::default()),
+        Some(Command::App(args)) => app::run(args),
+        Some(command) => in_pool(cli.common.threads, || dispatch(command, &output)),
+    };
+    #[cfg(not(feature = "app"))]
+    let done = match &cli.command {
+        None => Err(Failure::usage("no command was given", "this build has no window; see --help")),
+        Some(command) => in_pool(cli.common.threads, || dispatch(command, &output)),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             output.failure(&failure);
@@ -45,6 +59,8 @@ pub(crate) fn run() -> ExitCode {
 
 fn dispatch(command: &Command, output: &Output) -> Result<(), Failure> {
     match command {
+        #[cfg(feature = "app")]
+        Command::App(args) => app::run(args),
         Command::Render(args) => render::run(args, output),
         Command::Compare(args) => compare::run(args, output),
         Command::Turntable(args) => turntable::run(args, output),

@@ -139,7 +139,7 @@ fn cell(
     let texture = panel.textures.sharp(ui.ctx(), &name, version(made), || pictures::cell(&grid.levels[level], column, colours));
     let uv = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
     ui.painter().image(texture.id(), rect, uv, Color32::WHITE);
-    let response = ui.interact(rect, ui.id().with((level, column)), Sense::click());
+    let response = ui.interact(rect, ui.scope_id().with((level, column)), Sense::click());
     let title = format!("Cell of tone {:.2} at {} px", grid.tones[column], grid.levels[level].size);
     let response = named(response, &title);
     let chosen = view.level == level && view.column == column;
@@ -177,10 +177,10 @@ fn zoomable(panel: &mut Panel<'_>, ui: &mut Ui, made: &Arc<MadeMap>, view: &Cell
         _ => pictures::offending(own, column, &offending),
     });
     let rect = ui.available_rect_before_wrap();
-    let response = ui.interact(rect, ui.id().with(&name), Sense::click_and_drag());
+    let response = ui.interact(rect, ui.scope_id().with(&name), Sense::click_and_drag());
     let response = named(response, &format!("{} of the map", view.tab.label()));
     let size = texture.size_vec2();
-    let id = ui.id().with("zoom").with(&name);
+    let id = ui.scope_id().with("zoom").with(&name);
     // Where the picture is, in its own pixels: what is in the middle, and points per pixel; 0: all of it.
     let whole = (rect.width() / size.x).min(rect.height() / size.y);
     let (mut middle, mut scale): (Vec2, f32) = ui.data(|data| data.get_temp(id)).unwrap_or((size * 0.5, 0.0));

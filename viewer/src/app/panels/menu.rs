@@ -7,7 +7,7 @@ use crate::app::actions::{Action, Group};
 use crate::app::command::Command;
 
 /// The bar with all menus.
-pub fn menu_bar(panel: &mut Panel<'_>, ui: &mut Ui, actions: &[Action]) {
+pub(crate) fn menu_bar(panel: &mut Panel<'_>, ui: &mut Ui, actions: &[Action]) {
     MenuBar::new().ui(ui, |ui| {
         for group in Group::ALL {
             ui.menu_button(group.title(), |ui| {

@@ -28,16 +28,16 @@ use super::state::State;
 use super::textures::Textures;
 use super::work::Results;
 
-pub use menu::menu_bar;
-pub use notices::{Shown as ShownNotice, notices};
-pub(super) use presets::{file_key, preset_key};
-pub(super) use scene::{mesh_key, offered as offered_meshes};
-pub use status::status_bar;
-pub use view::ViewReport;
-pub use windows::dialogs;
+pub(crate) use menu::menu_bar;
+pub(crate) use notices::{Shown as ShownNotice, notices};
+pub(crate) use presets::{file_key, preset_key};
+pub(crate) use scene::{mesh_key, offered as offered_meshes};
+pub(crate) use status::status_bar;
+pub(crate) use view::ViewReport;
+pub(crate) use windows::dialogs;
 
 /// What panels are drawn from, and what they ask for.
-pub struct Panel<'a> {
+pub(crate) struct Panel<'a> {
     /// All state.
     pub state: &'a State,
     /// What was made of it.
@@ -54,12 +54,12 @@ pub struct Panel<'a> {
 
 impl Panel<'_> {
     /// Asks for something.
-    pub fn ask(&mut self, command: Command) {
+    pub(crate) fn ask(&mut self, command: Command) {
         self.commands.push(command);
     }
 
     /// Draws a panel.
-    pub fn show(&mut self, ui: &mut Ui, pane: Pane) {
+    pub(crate) fn show(&mut self, ui: &mut Ui, pane: Pane) {
         match pane {
             Pane::View => view::show(self, ui),
             Pane::Presets => presets::show(self, ui),

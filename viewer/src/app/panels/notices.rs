@@ -6,14 +6,14 @@ use super::number::named;
 use crate::app::state::{Notice, Severity};
 
 /// A message on the screen, and how long it still stays, in seconds; errors stay until they are closed.
-pub struct Shown {
+pub(crate) struct Shown {
     notice: Notice,
     left_s: Option<f32>,
 }
 
 impl Shown {
     /// A message from now on.
-    pub fn new(notice: Notice) -> Self {
+    pub(crate) fn new(notice: Notice) -> Self {
         let left_s = match notice.severity {
             Severity::Done => Some(5.0),
             Severity::Info => Some(8.0),
@@ -28,14 +28,14 @@ impl Shown {
 const AT_ONCE: usize = 5;
 
 /// Draws all messages, and takes out those that have been read.
-pub fn notices(ctx: &Context, shown: &mut Vec<Shown>) {
+pub(crate) fn notices(ctx: &Context, shown: &mut Vec<Shown>) {
     if shown.len() > AT_ONCE {
         shown.drain(..shown.len() - AT_ONCE);
     }
     if shown.is_empty() {
         return;
     }
-    let area = Area::new(Id::new("notices")).order(Order::Foreground);
+    let area = Area::new(Id::unique("notices")).order(Order::Foreground);
     let area = area.anchor(Align2::RIGHT_BOTTOM, egui::vec2(-12.0, -36.0));
     let hovered = area
         .show(ctx, |ui| {

@@ -13,7 +13,7 @@ const SHOWN: usize = 12;
 pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, typed: &str, actions: &[Action]) {
     ui.set_width(440.0);
     let mut text = typed.to_owned();
-    let id = ui.id().with("chosen");
+    let id = ui.scope_id().with("chosen");
     let mut chosen: usize = ui.data(|data| data.get_temp(id)).unwrap_or(0);
     // Arrows and Enter are for the list, not for the text.
     let (down, up, enter) = ui.input_mut(|input| {

@@ -197,7 +197,7 @@ fn point(ui: &mut Ui, title: &str, point: &mut DVec3) {
 fn colours(panel: &mut Panel<'_>, ui: &mut Ui) {
     let mut preset = panel.state.document.preset.clone();
     let Ok((mut paper, mut ink)) = preset.colours.srgb() else { return };
-    let mut row = |ui: &mut Ui, title: &str, colour: &mut [u8; 3], css: &mut String| {
+    let row = |ui: &mut Ui, title: &str, colour: &mut [u8; 3], css: &mut String| {
         ui.horizontal(|ui| {
             let label = number::name(ui, title, "Exported maps hold no colour: engines bring their own");
             if ui.color_edit_button_srgb(colour).labelled_by(label.id).changed() {

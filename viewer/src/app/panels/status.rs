@@ -10,7 +10,7 @@ use crate::app::layout::Pane;
 use crate::app::words;
 
 /// The status line.
-pub fn status_bar(panel: &mut Panel<'_>, ui: &mut Ui) {
+pub(crate) fn status_bar(panel: &mut Panel<'_>, ui: &mut Ui) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
         let results = panel.results;

@@ -58,7 +58,7 @@ fn sample(preset: &Preset, row: usize, part: f64) -> Stroke {
     let stroke = &preset.stroke;
     let length = stroke.length_min + (stroke.length_max - stroke.length_min) * part;
     let along = (length * 0.9) as f32;
-    let sign = if row % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if row.is_multiple_of(2) { 1.0 } else { -1.0 };
     let (bow, s_curve) = ((stroke.bow * length * sign) as f32, (stroke.s_curve * length * sign) as f32);
     let middle = (row as f32 + 0.5) * ROWS as f32 / 3.0 / LEVEL_PX as f32;
     // A parabola that leaves its chord by the bow, and a cubic that leaves it by the s-curve at the quarters.

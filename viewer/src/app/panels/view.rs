@@ -16,7 +16,7 @@ use crate::{Camera, Mapping, Method};
 
 /// What the view found out about itself.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct ViewReport {
+pub(crate) struct ViewReport {
     /// Its size in pixels; 0 where it is hidden.
     pub size_px: [u32; 2],
     /// Whether something in it is being dragged.
@@ -25,13 +25,20 @@ pub struct ViewReport {
     guide: Vec<DVec3>,
 }
 
+impl ViewReport {
+    /// Nothing of the view is shown until it says so.
+    pub(crate) fn hide(&mut self) {
+        (self.size_px, self.dragged) = ([0; 2], false);
+    }
+}
+
 /// Radius of the ball on which the light's handle moves, as a share of half the view's smaller side.
 const BALL: f32 = 0.86;
 
 pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
     toolbar(panel, ui);
     let rect = ui.available_rect_before_wrap();
-    let response = ui.interact(rect, ui.id().with("picture"), Sense::click_and_drag());
+    let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
     let response = {
         let enabled = response.enabled();
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, enabled, "Picture of the mesh"));
@@ -252,7 +259,7 @@ fn wipe(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) -> bool {
     let Some(compare) = panel.state.document.compare.clone() else { return false };
     let x = rect.left() + rect.width() * compare.split as f32;
     let line = Rect::from_x_y_ranges(x - 6.0..=x + 6.0, rect.y_range());
-    let response = ui.interact(line, ui.id().with("wipe"), Sense::drag()).on_hover_cursor(CursorIcon::ResizeHorizontal);
+    let response = ui.interact(line, ui.scope_id().with("wipe"), Sense::drag()).on_hover_cursor(CursorIcon::ResizeHorizontal);
     let response = named(response, "Wipe between A and B");
     let painter = ui.painter_at(rect);
     let colour = ui.visuals().selection.bg_fill;
@@ -296,7 +303,7 @@ fn light_handle(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) -> bool {
     let behind = towards.dot(camera.forward()) > 0.0;
     let at = rect.center() + seen * radius;
     let area = Rect::from_center_size(at, egui::Vec2::splat(26.0));
-    let response = ui.interact(area, ui.id().with("light"), Sense::drag()).on_hover_cursor(CursorIcon::Grab);
+    let response = ui.interact(area, ui.scope_id().with("light"), Sense::drag()).on_hover_cursor(CursorIcon::Grab);
     let response = named(response, "Light");
     let painter = ui.painter_at(rect);
     let core = if behind { Color32::from_rgb(150, 130, 90) } else { Color32::from_rgb(255, 196, 60) };

@@ -9,9 +9,9 @@ use crate::app::command::Command;
 use crate::app::state::{Dialog, Navigation};
 
 /// Draws what lies over the window.
-pub fn dialogs(panel: &mut Panel<'_>, ctx: &Context, actions: &[Action]) {
+pub(crate) fn dialogs(panel: &mut Panel<'_>, ctx: &Context, actions: &[Action]) {
     let Some(dialog) = panel.state.transient.dialog.clone() else { return };
-    let modal = Modal::new(Id::new("dialog"));
+    let modal = Modal::new(Id::unique("dialog"));
     let shown = modal.show(ctx, |ui| match &dialog {
         Dialog::Help => help(panel, ui, actions),
         Dialog::Palette(typed) => palette::show(panel, ui, typed, actions),

@@ -12,7 +12,7 @@ use super::mesh::{LoadedMesh, MeshWorker, mesh_worker};
 use super::painter::{Shot, Side};
 use super::picture::{PictureReply, PictureRequest, PictureWorker, Stillness, picture_worker};
 use super::results::{Results, Thumbnail};
-use super::surface::{MadeSurface, SurfaceRequest, SurfaceWorker, surface_worker};
+use super::surface::{MadeSurface, SurfaceReply, SurfaceRequest, SurfaceWorker, surface_worker};
 use super::thumbnails::{Subject, ThumbnailRequest, linear_colours};
 use super::worker::Wake;
 use crate::app::state::{Compare, Look, MeshSource, Motion, Notice, Severity, State};
@@ -27,7 +27,7 @@ const COSTLY_MS: f64 = 45.0;
 
 /// What the view is like at the moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Demand {
+pub(crate) struct Demand {
     /// Size of the view; 0 while it is hidden.
     pub size_px: [u32; 2],
     /// A button is held or something plays.
@@ -35,7 +35,7 @@ pub struct Demand {
 }
 
 /// The workers.
-pub struct Engine {
+pub(crate) struct Engine {
     maps: MapWorker,
     other_maps: MapWorker,
     checks: CheckWorker,
@@ -66,7 +66,7 @@ impl Engine {
     ///
     /// # Errors
     /// Where the system gives no threads.
-    pub fn start(wake: &Wake) -> std::io::Result<Self> {
+    pub(crate) fn start(wake: &Wake) -> std::io::Result<Self> {
         Ok(Self {
             maps: map_worker(Arc::clone(wake))?,
             other_maps: map_worker(Arc::clone(wake))?,
@@ -84,7 +84,7 @@ impl Engine {
     }
 
     /// Whether anything is being made, or is yet to be asked for.
-    pub fn is_busy(&self) -> bool {
+    pub(crate) fn is_busy(&self) -> bool {
         self.maps.is_busy()
             || self.other_maps.is_busy()
             || self.checks.is_busy()
@@ -95,7 +95,7 @@ impl Engine {
     }
 
     /// Asks for what the state needs and nobody was asked for yet.
-    pub fn follow(&mut self, state: &State, demand: Demand, results: &mut Results) {
+    pub(crate) fn follow(&mut self, state: &State, demand: Demand, results: &mut Results) {
         self.follow_map(state, demand, results);
         self.follow_mesh(state);
         if let Some(mesh) = results.mesh.clone() {
@@ -255,7 +255,7 @@ impl Engine {
 
     /// Takes what workers have made; returns what the user should know, and the mesh to go back to where one could not be
     /// loaded.
-    pub fn collect(&mut self, results: &mut Results) -> (Vec<Notice>, Option<MeshSource>) {
+    pub(crate) fn collect(&mut self, results: &mut Results) -> (Vec<Notice>, Option<MeshSource>) {
         let mut notices = Vec::new();
         let mut notice = |severity, text: String| notices.push(Notice { severity, text });
         let mut back = None;
@@ -300,16 +300,16 @@ impl Engine {
         }
         for reply in self.surfaces.replies() {
             match reply {
-                Ok(made) => {
+                SurfaceReply::Made(made) => {
                     if self.made.len() >= SURFACES {
                         self.made.remove(0);
                     }
-                    self.made.push(made);
+                    self.made.push(*made);
                 }
-                Err((request, problem)) => {
+                SurfaceReply::Failed(request, problem) => {
                     notice(Severity::Error, problem.clone());
                     results.surface_problem = Some(problem);
-                    self.refused.extend(request.or_else(|| self.asked.surface.clone()));
+                    self.refused.extend(request.map(|request| *request).or_else(|| self.asked.surface.clone()));
                 }
             }
         }
@@ -343,24 +343,24 @@ impl Engine {
     }
 
     /// Loads the mesh again, as its file has changed.
-    pub fn reload_mesh(&mut self) {
+    pub(crate) fn reload_mesh(&mut self) {
         self.asked.mesh = None;
     }
 
     /// Asks for a small picture of a preset.
-    pub fn preset_thumbnail(&self, key: String, preset: &Preset) {
+    pub(crate) fn preset_thumbnail(&self, key: String, preset: &Preset) {
         let of = Subject::Preset(Box::new(preset.clone()));
         self.pictures.queue(PictureRequest::Thumbnail(ThumbnailRequest { key, of }));
     }
 
     /// Asks for a small picture of a mesh.
-    pub fn mesh_thumbnail(&self, key: String, mesh: &MeshSource) {
+    pub(crate) fn mesh_thumbnail(&self, key: String, mesh: &MeshSource) {
         let of = Subject::Mesh(mesh.clone());
         self.pictures.queue(PictureRequest::Thumbnail(ThumbnailRequest { key, of }));
     }
 
     /// Writes the map in the formats of the settings. `false`: something is being written already.
-    pub fn export(&mut self, state: &State) -> bool {
+    pub(crate) fn export(&mut self, state: &State) -> bool {
         let settings = &state.settings.export;
         let options = ExportOptions {
             formats: formats(&settings.formats),
@@ -372,7 +372,7 @@ impl Engine {
     }
 
     /// Saves the view as a picture. `false`: something is being written already, or there is nothing to draw yet.
-    pub fn save_picture(&mut self, state: &State, results: &Results, path: PathBuf) -> bool {
+    pub(crate) fn save_picture(&mut self, state: &State, results: &Results, path: PathBuf) -> bool {
         let settings = &state.settings.picture;
         let Some(mut shot) = self.whole_shot(state, results, settings.size_px) else { return false };
         shot.scene.transparent = settings.transparent;
@@ -380,7 +380,7 @@ impl Engine {
     }
 
     /// Saves a turntable of what plays, or else of the camera going round.
-    pub fn save_turntable(&mut self, state: &State, results: &Results, path: PathBuf) -> bool {
+    pub(crate) fn save_turntable(&mut self, state: &State, results: &Results, path: PathBuf) -> bool {
         let settings = &state.settings.turntable;
         let Some(shot) = self.whole_shot(state, results, [settings.side_px; 2]) else { return false };
         let along = path_of(state.transient.motion.unwrap_or(Motion::Orbit));
@@ -403,7 +403,7 @@ impl Engine {
     }
 
     /// Stops what is being written.
-    pub fn cancel_file(&self) {
+    pub(crate) fn cancel_file(&self) {
         self.files.cancel();
     }
 }

@@ -20,13 +20,9 @@ pub(super) enum FileRequest {
     Turntable { shot: Box<Shot>, along: Path, path: PathBuf, frames: u32, fps: u16 },
 }
 
-/// What is being written, in words.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FileJob(pub String);
-
 /// What became of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum FileReply {
+pub(crate) enum FileReply {
     /// It is there.
     Written {
         /// In a sentence.

@@ -14,10 +14,7 @@ mod surface;
 mod thumbnails;
 mod worker;
 
-pub use engine::{Demand, Engine};
-pub use files::{FileJob, FileReply};
-pub use map::MadeMap;
-pub use mesh::LoadedMesh;
-pub use picture::{Shown, Stillness};
-pub use results::{Results, Thumbnail};
-pub use worker::Wake;
+pub(crate) use engine::{Demand, Engine};
+pub(crate) use map::MadeMap;
+pub use results::Results;
+pub(crate) use worker::Wake;

@@ -30,7 +30,11 @@ pub(super) struct MadeSurface {
     pub surface: Arc<Surface>,
 }
 
-pub(super) type SurfaceReply = Result<MadeSurface, (Option<SurfaceRequest>, String)>;
+pub(super) enum SurfaceReply {
+    Made(Box<MadeSurface>),
+    /// Which one could not be made, where that is known, and why.
+    Failed(Option<Box<SurfaceRequest>>, String),
+}
 
 pub(super) type SurfaceWorker = Worker<SurfaceRequest, SurfaceReply>;
 
@@ -44,11 +48,14 @@ pub(super) fn surface_worker(wake: Wake) -> std::io::Result<SurfaceWorker> {
             None => Arc::clone(&request.mesh),
         };
         match Surface::new_with(&mesh, &request.options, job) {
-            Ok(surface) => reply(Ok(MadeSurface { request, mesh, surface: Arc::new(surface) })),
+            Ok(surface) => reply(SurfaceReply::Made(Box::new(MadeSurface { request, mesh, surface: Arc::new(surface) }))),
             Err(SurfaceError::Cancelled) => {}
-            Err(error) => reply(Err((Some(request), format!("strokes cannot follow this mesh: {error}")))),
+            Err(error) => {
+                let words = format!("strokes cannot follow this mesh: {error}");
+                reply(SurfaceReply::Failed(Some(Box::new(request)), words));
+            }
         }
     };
-    let failed = |words: String| Err((None, format!("strokes cannot follow this mesh: {words}")));
+    let failed = |words: String| SurfaceReply::Failed(None, format!("strokes cannot follow this mesh: {words}"));
     Worker::start("surfaces", Duration::ZERO, wake, || (), work, failed)
 }

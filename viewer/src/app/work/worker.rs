@@ -10,12 +10,12 @@ use std::time::{Duration, Instant};
 use tam_gen::Job;
 
 /// Called by threads when there is something to show.
-pub type Wake = Arc<dyn Fn() + Send + Sync>;
+pub(crate) type Wake = Arc<dyn Fn() + Send + Sync>;
 
 /// A worker: of the requests made while it works only the newest is kept, and what it works on is cancelled, unless it
 /// began so recently that it is better finished: a slider that never rests would never show anything. What is queued
 /// waits until there is nothing newer to do.
-pub struct Worker<Request, Reply> {
+pub(crate) struct Worker<Request, Reply> {
     shared: Arc<Shared<Request>>,
     patience: Duration,
     replies: Receiver<Reply>,
@@ -48,7 +48,7 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
     ///
     /// # Errors
     /// Where the system gives no thread.
-    pub fn start<State: 'static>(
+    pub(crate) fn start<State: 'static>(
         name: &str,
         patience: Duration,
         wake: Wake,
@@ -85,7 +85,7 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
     }
 
     /// Asks for this next; what is being worked on and what waits is dropped.
-    pub fn request(&self, request: Request) {
+    pub(crate) fn request(&self, request: Request) {
         let mut inbox = self.shared.lock();
         inbox.newest = Some(request);
         if let Some((cancel, began)) = &inbox.working
@@ -97,13 +97,13 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
     }
 
     /// Asks for this when there is nothing newer to do.
-    pub fn queue(&self, request: Request) {
+    pub(crate) fn queue(&self, request: Request) {
         self.shared.lock().queue.push_back(request);
         self.shared.filled.notify_one();
     }
 
     /// Stops what is being worked on and forgets what waits.
-    pub fn cancel(&self) {
+    pub(crate) fn cancel(&self) {
         let mut inbox = self.shared.lock();
         inbox.newest = None;
         inbox.queue.clear();
@@ -113,18 +113,18 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
     }
 
     /// Whether there is anything left to do.
-    pub fn is_busy(&self) -> bool {
+    pub(crate) fn is_busy(&self) -> bool {
         let inbox = self.shared.lock();
         inbox.working.is_some() || inbox.newest.is_some() || !inbox.queue.is_empty()
     }
 
     /// Part done of what is being worked on, 0..=1; `None` at rest.
-    pub fn progress(&self) -> Option<f32> {
+    pub(crate) fn progress(&self) -> Option<f32> {
         self.is_busy().then(|| self.shared.done.load(Ordering::Relaxed) as f32 / 1000.0)
     }
 
     /// What was made since the last call.
-    pub fn replies(&self) -> impl Iterator<Item = Reply> + '_ {
+    pub(crate) fn replies(&self) -> impl Iterator<Item = Reply> + '_ {
         self.replies.try_iter()
     }
 }
