@@ -186,7 +186,7 @@ impl DebugView {
         match self {
             Self::Tone => "Wanted tone, with a line where it is that of a column",
             Self::Level => {
-                "Level of detail: 0 green, then yellow, orange, red; hatched: magnified; dark: coarser than the map"
+                "Level of detail: 0 green, then yellow, orange, red, magenta; hatched: magnified; dark: coarser than the map"
             }
             Self::Columns => "Columns of the map that are mixed, a hue for each; grey is paper",
             Self::Frames => {
