@@ -114,8 +114,9 @@ fn a_texel_as_large_as_a_pixel_is_level_0_and_one_half_as_large_level_1() {
         // 0.85 - 0.65 / 4.
         let share = white as f64 / f64::from(SIDE * SIDE);
         assert!((0.5..0.8).contains(&share), "{share} is white");
-        let tiny = middle(&at(2.0, 4.0));
-        assert!(tiny.max_element() < 0.25, "levels are from 128 to 16 px: {tiny}");
+        // From 128 px to 1, the last is level 7: here 9 is wanted.
+        let tiny = middle(&at(32.0, 4.0));
+        assert!(tiny.max_element() < 0.1, "{tiny}");
     }
 }
 
@@ -162,7 +163,8 @@ fn directions_are_those_in_which_the_ink_runs() {
             let shown = stage.draw_uploaded(&scene, &shown, &uploaded);
             let turned = (across(&drawn) - decoded(&shown) + 270.0) % 180.0 - 90.0;
             let what = format!("{} {} turned by {rotation_deg}", method.name(), mapping.name());
-            assert!(turned.abs() < 4.0, "{what}: {} shown, {} drawn", decoded(&shown), across(&drawn));
+            // Edges of lines are a pixel wide, where differences over two pixels are off by 6 degrees at most.
+            assert!(turned.abs() < 8.0, "{what}: {} shown, {} drawn", decoded(&shown), across(&drawn));
         }
     }
 }
