@@ -298,13 +298,15 @@ mod tests {
             face_frame: FaceFrameForm::VertexFetched,
             follow: Follow::Light,
             cross_from: None,
+            debug: Some(DebugView::Level),
+            wireframe: Some(1.0),
             ..RenderParams::default()
         };
-        let text = serde_json::to_string(&params).unwrap();
+        let text = serde_json::to_string(&params).expect("they are numbers and names");
         assert!(text.contains(r#""face_frame":"vertex-fetched""#), "{text}");
-        assert_eq!(serde_json::from_str::<RenderParams>(&text).unwrap(), params);
+        assert_eq!(serde_json::from_str::<RenderParams>(&text).expect("what was written"), params);
         let lacking: RenderParams =
-            serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).unwrap();
+            serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).expect("some of it");
         let silhouettes = Some(Silhouettes { width_px: 3.0, ..Silhouettes::default() });
         assert_eq!(lacking, RenderParams { form: Form::Literal, silhouettes, ..RenderParams::default() });
     }
