@@ -69,10 +69,12 @@ fn level_colour(level: f32, place_px: vec2f) -> vec3f {
     return colour * select(1.0, 0.3 * exp2(last - level), level > last);
 }
 
-// White is light grey; the darker the column, the darker its colour.
+// White is light grey; the darker the column, the darker its colour. A few columns have hues far apart; many, which would
+// mingle to grey, go a few times round.
 fn column_colour(column: f32) -> vec3f {
-    let share = column / f32(material.column_count);
-    return oklch(mix(0.93, 0.45, share), select(0.14, 0.0, column < 0.5), 0.02 + 0.38 * column);
+    let n = f32(material.column_count);
+    let hue = 0.75 - min(0.38, 4.5 / n) * (n - column);
+    return oklch(mix(0.93, 0.45, column / n), select(0.14, 0.0, column < 0.5), hue);
 }
 
 // The two columns that bracket a tone, by their shares; `x` is its place among them.
@@ -128,7 +130,7 @@ fn adjacency_colour(share: f32) -> vec3f {
 }
 
 fn triangle_colour(face: u32) -> vec3f {
-    return oklch(mix(0.78, 0.92, lot(face, 0u)), 0.09, lot(face, 1u));
+    return oklch(mix(0.78, 0.92, lot(face, 0u)), 0.11, lot(face, 1u));
 }
 
 // Darker where the surface turns away from the camera, so that the form is read under any light.

@@ -1,4 +1,5 @@
-// Contour, border and crease lines, or all edges: one quad per edge of the mesh, as wide as asked on the screen, with round ends.
+// Contour, border and crease lines, or all edges: one quad per edge of the mesh, as wide as asked on the screen, with
+// round ends.
 // Praun and others, "Real-Time Hatching", 2001, section 2: silhouettes complete hatched drawings. An edge is a contour
 // where one face is seen from the front and the other from behind, so contours lie exactly where the drawn mesh ends.
 //!include lib/scene.wgsl

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec3, vec3};
 use tam_shaders::cpu::debug::{adjacency_colour, direction_colour, level_hue, none_colour};
 use tam_shaders::cpu::lib::colour::oklch;
 use tam_tests::gpu::{Stage, difference, light_from, loaded, mappings, nan_count, renderer_with, scene_with};
-use tam_viewer::gpu::GpuOptions;
+use tam_viewer::gpu::{GpuOptions, PixelFormat};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::{DebugView, Follow, Form, Light, Lights, Mapping, Method, RenderParams, Scene};
@@ -94,9 +94,10 @@ fn a_texel_as_large_as_a_pixel_is_level_0_and_one_half_as_large_level_1() {
     let mut stage = stage();
     let mesh = quad();
     for mapping in [Mapping::Uv, Mapping::Triplanar] {
-        let params = RenderParams { mapping, ..showing(DebugView::Level) };
+        // The square has 2 uv per unit, and uv are repeated a whole number of times.
+        let params = RenderParams { mapping, tiles_per_unit: 2.0, ..showing(DebugView::Level) };
         let mut scene = square_at(0.5);
-        // A map of 128 px, 1.5 tiles per unit; a square of uv has 3 tiles on two units too.
+        // The map has 128 px.
         let one_to_one = 1.0 / (128.0 * params.tiles_per_unit * scene.camera.pixel_at_1(SIDE));
         let mut at = |distance: f64, level_bias| {
             scene.camera.distance = distance * one_to_one;
@@ -113,8 +114,9 @@ fn a_texel_as_large_as_a_pixel_is_level_0_and_one_half_as_large_level_1() {
         // 0.85 - 0.65 / 4.
         let share = white as f64 / f64::from(SIDE * SIDE);
         assert!((0.5..0.8).contains(&share), "{share} is white");
-        let tiny = middle(&at(2.0, 4.0));
-        assert!(tiny.max_element() < 0.25, "levels are from 128 to 16 px: {tiny}");
+        // From 128 px to 1, the last is level 7: here 9 is wanted.
+        let tiny = middle(&at(32.0, 4.0));
+        assert!(tiny.max_element() < 0.1, "{tiny}");
     }
 }
 
@@ -148,8 +150,7 @@ fn directions_are_those_in_which_the_ink_runs() {
         (Method::Stripes, Mapping::Uv),
     ] {
         for rotation_deg in [0.0, 30.0, 90.0, -50.0] {
-            let mut scene = scene_with(light_from(DVec3::new(-0.5, 0.4, 0.8)));
-            scene.lights.ambient = 0.3;
+            let mut scene = scene_with(light_from(DVec3::new(-1.0, 0.7, 0.8)));
             scene.materials[0].rotation_deg = rotation_deg;
             scene.camera.distance = 3.0;
             let ink =
@@ -162,7 +163,8 @@ fn directions_are_those_in_which_the_ink_runs() {
             let shown = stage.draw_uploaded(&scene, &shown, &uploaded);
             let turned = (across(&drawn) - decoded(&shown) + 270.0) % 180.0 - 90.0;
             let what = format!("{} {} turned by {rotation_deg}", method.name(), mapping.name());
-            assert!(turned.abs() < 4.0, "{what}: {} shown, {} drawn", decoded(&shown), across(&drawn));
+            // Edges of lines are a pixel wide, where differences over two pixels are off by 6 degrees at most.
+            assert!(turned.abs() < 8.0, "{what}: {} shown, {} drawn", decoded(&shown), across(&drawn));
         }
     }
 }
@@ -249,7 +251,8 @@ fn a_triangle_has_one_colour_and_its_neighbour_another() {
     assert!(is_whole(&sides) || is_whole(&crossed), "{sides:?}");
     assert_ne!(is_whole(&sides), is_whole(&crossed));
     // The same in the next frame, with and without primitive indices.
-    let mut flat = Stage { renderer: renderer_with(GpuOptions { flat_face: true, ..GpuOptions::default() }), ..stage };
+    let mut flat =
+        Stage { renderer: renderer_with(GpuOptions { flat_face: true, ..GpuOptions::default() }), ..self::stage() };
     let again = flat.draw(&square_at(0.2), &showing(DebugView::Triangles), &quad());
     assert!(difference(&pixels, &again) < 1e-6);
 }
@@ -259,7 +262,7 @@ fn no_view_fails_or_has_pixels_without_a_number_whatever_the_mesh_lacks() {
     for flat_face in [false, true] {
         let renderer = renderer_with(GpuOptions { flat_face, ..GpuOptions::default() });
         let mut stage = Stage { renderer, size: 32, ..Stage::new("fine-pen", 32) };
-        for sample in Sample::ALL {
+        for sample in [Sample::Quad, Sample::Cube, Sample::Hand] {
             let mut mesh = prepare(sample.build(300)).expect("a sample").mesh;
             mesh.uvs.clear();
             let bare = stage.renderer.mesh(&mesh).expect("a mesh that fits");
@@ -301,7 +304,7 @@ fn no_view_fails_or_has_pixels_without_a_number_whatever_the_mesh_lacks() {
 fn views_of_surfaces_have_a_number_everywhere_under_any_light() {
     let mut stage = Stage::new("fine-pen", 48);
     let lights = [DVec3::Z, DVec3::NEG_Y, DVec3::new(0.3, 0.8, 0.5)].map(light_from);
-    for sample in [Sample::Sphere, Sample::Hand, Sample::Chair] {
+    for sample in [Sample::Quad, Sample::Sphere, Sample::Hand] {
         let mesh = prepare(sample.build(1_500)).expect("a sample").mesh;
         let mut ways: Vec<RenderParams> =
             mappings(&mesh).into_iter().map(|mapping| RenderParams { mapping, ..RenderParams::default() }).collect();
@@ -312,9 +315,16 @@ fn views_of_surfaces_have_a_number_everywhere_under_any_light() {
             let surface = tam_tests::gpu::surface_for(&params, &mesh);
             let uploaded = stage.upload(&params, &mesh, surface.as_ref());
             for (light, view) in lights.iter().flat_map(|light: &Light| DebugView::ALL.map(|view| (*light, view))) {
-                let params = RenderParams { debug: Some(view), silhouettes: None, ..params };
+                // The literal frame of a face that looks at the light is 0/0.
+                let form = if sample == Sample::Quad { Form::Literal } else { Form::Hardened };
+                let params = RenderParams { form, debug: Some(view), silhouettes: None, ..params };
                 let pixels = stage.draw_uploaded(&scene_with(light), &params, &uploaded);
                 assert_eq!(nan_count(&pixels), 0, "{} {view:?} {params:?}", sample.name());
+                let has_no_frame = form == Form::Literal && params.mapping == Mapping::Frames && light == lights[0];
+                if has_no_frame && view == DebugView::Frames && params.method == Method::FineTone {
+                    let shown = colour(&pixels[48 * 24 + 24]);
+                    assert!((shown - none_colour()).abs().max_element() < SHADE, "{shown}");
+                }
             }
         }
     }
@@ -328,8 +338,16 @@ fn the_wireframe_is_drawn_on_seen_edges_and_nowhere_else() {
     scene.camera.distance = 5.0;
     scene.transparent = true;
     let plain = RenderParams { method: Method::Phong, silhouettes: None, ..RenderParams::default() };
-    let without = stage.draw(&scene, &plain, &cube);
-    let with = stage.draw(&scene, &RenderParams { wireframe: Some(1.5), ..plain }, &cube);
+    let cube = stage.renderer.mesh(&cube).expect("a mesh that fits");
+    // Targets of 32 bits take no lines.
+    let target = stage.renderer.target([SIDE; 2], 1, PixelFormat::Linear16).expect("a small target");
+    let mut draw = |scene: &Scene, wireframe: Option<f64>| {
+        let params = RenderParams { wireframe, ..plain };
+        stage.renderer.render(scene, &params, &cube, &[&stage.map], &target).expect("a frame");
+        target.read(&stage.renderer.gpu).expect("pixels").linear()
+    };
+    let without = draw(&scene, None);
+    let with = draw(&scene, Some(1.5));
     let blue = |p: &[f32; 4]| p[3] > 0.0 && p[2] > p[0] + 0.1;
     assert_eq!(without.iter().filter(|p| blue(p)).count(), 0);
     let mut count = 0;
@@ -351,7 +369,7 @@ fn the_wireframe_is_drawn_on_seen_edges_and_nowhere_else() {
     // On ink it is seen as well.
     let mut dark = scene;
     dark.lights.ambient = 0.0;
-    let on_ink = stage.draw(&dark, &RenderParams { wireframe: Some(1.5), ..plain }, &cube);
+    let on_ink = draw(&dark, Some(1.5));
     let seen = on_ink.iter().filter(|p| p[3] > 0.0 && p[2] > 0.3).count();
     assert!(seen as f64 > expected, "{seen}");
 }

@@ -186,7 +186,7 @@ impl DebugView {
         match self {
             Self::Tone => "Wanted tone, with a line where it is that of a column",
             Self::Level => {
-                "Level of detail: 0 green, then yellow, orange, red; hatched: magnified; dark: coarser than the map"
+                "Level of detail: 0 green, then yellow, orange, red, magenta; hatched: magnified; dark: coarser than the map"
             }
             Self::Columns => "Columns of the map that are mixed, a hue for each; grey is paper",
             Self::Frames => {
@@ -298,13 +298,15 @@ mod tests {
             face_frame: FaceFrameForm::VertexFetched,
             follow: Follow::Light,
             cross_from: None,
+            debug: Some(DebugView::Level),
+            wireframe: Some(1.0),
             ..RenderParams::default()
         };
-        let text = serde_json::to_string(&params).unwrap();
+        let text = serde_json::to_string(&params).expect("they are numbers and names");
         assert!(text.contains(r#""face_frame":"vertex-fetched""#), "{text}");
-        assert_eq!(serde_json::from_str::<RenderParams>(&text).unwrap(), params);
+        assert_eq!(serde_json::from_str::<RenderParams>(&text).expect("what was written"), params);
         let lacking: RenderParams =
-            serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).unwrap();
+            serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).expect("some of it");
         let silhouettes = Some(Silhouettes { width_px: 3.0, ..Silhouettes::default() });
         assert_eq!(lacking, RenderParams { form: Form::Literal, silhouettes, ..RenderParams::default() });
     }

@@ -74,8 +74,9 @@ pub fn level_colour(material: &Material, level: f64, place_px: DVec2) -> DVec3 {
 
 /// Colour of a whole column: white is light grey; the darker the column, the darker its colour.
 pub fn column_colour(material: &Material, column: f64) -> DVec3 {
-    let share = column / f64::from(material.column_count);
-    oklch(mix(0.93, 0.45, share), if column < 0.5 { 0.0 } else { 0.14 }, 0.02 + 0.38 * column)
+    let n = f64::from(material.column_count);
+    let hue = 0.75 - (4.5 / n).min(0.38) * (n - column);
+    oklch(mix(0.93, 0.45, column / n), if column < 0.5 { 0.0 } else { 0.14 }, hue)
 }
 
 /// The two columns that bracket a tone, by their shares; `x` is its place among them.
@@ -135,7 +136,7 @@ pub fn adjacency_colour(share: f64) -> DVec3 {
 
 /// A pastel by lot.
 pub fn triangle_colour(face: u32) -> DVec3 {
-    oklch(mix(0.78, 0.92, lot(face, 0)), 0.09, lot(face, 1))
+    oklch(mix(0.78, 0.92, lot(face, 0)), 0.11, lot(face, 1))
 }
 
 /// Darker where the surface turns away from the camera, so that the form is read under any light.

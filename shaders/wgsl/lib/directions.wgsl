@@ -37,7 +37,10 @@ fn frame_direction(n: vec3f, frame: FaceFrame, dx: vec3f, dy: vec3f) -> vec2f {
 
 fn triplanar_direction(n: vec3f, dx: vec3f, dy: vec3f) -> vec2f {
     let w = triplanar_weights(n);
-    return w.x * pattern_direction(dx.zy, dy.zy) + w.y * pattern_direction(dx.xz, dy.xz) + w.z * pattern_direction(dx.xy, dy.xy);
+    let x = pattern_direction(dx.zy, dy.zy);
+    let y = pattern_direction(dx.xz, dy.xz);
+    let z = pattern_direction(dx.xy, dy.xy);
+    return w.x * x + w.y * y + w.z * z;
 }
 
 fn rotated(place: vec2f, angle_rad: f32) -> vec2f {

@@ -16,7 +16,7 @@ pub(crate) enum LineKind {
 }
 
 /// Blue, in linear light, that lets paper and ink through and is neither.
-const WIREFRAME_COLOUR: [f32; 4] = [0.02, 0.2, 0.9, 0.7];
+const WIREFRAME_COLOUR: [f32; 4] = [0.03, 0.25, 1.0, 0.7];
 
 /// The line pipelines and their styles.
 pub(crate) struct Lines {
