@@ -1,6 +1,7 @@
 //! Helpers shared by the tests that cross crates.
 
 pub mod adapter;
+pub mod app;
 pub mod command;
 pub mod gpu;
 pub mod measure;

@@ -92,7 +92,14 @@ impl eframe::App for Photographer {
     }
 }
 
+/// Colours of a window that shows anything at all: letters alone have as many shades.
+const COLOURS: usize = 64;
+
 fn write(path: &std::path::Path, image: &egui::ColorImage) -> Result<(), String> {
+    let colours: std::collections::HashSet<_> = image.pixels.iter().collect();
+    if colours.len() < COLOURS {
+        return Err("the window is blank".to_owned());
+    }
     let pixels = image.pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
     let picture = image::RgbaImage::from_raw(image.size[0] as u32, image.size[1] as u32, pixels)
         .ok_or_else(|| "it has no pixels".to_owned())?;

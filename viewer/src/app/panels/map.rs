@@ -87,7 +87,7 @@ fn version(made: &Arc<MadeMap>) -> usize {
     Arc::as_ptr(made) as usize
 }
 
-/// All cells: a column for each tone, a row for each level, as large as they fit.
+/// All cells: the finest of each tone in a row, its coarser ones beside each other under it, as large as they fit.
 fn grid_of_cells(panel: &mut Panel<'_>, ui: &mut Ui, made: &Arc<MadeMap>, view: &mut CellView) {
     let grid = &made.map.grid;
     let measure = tam_gen::preset::ToneMeasure::named(made.map.preset.map.tone_measure);
@@ -96,16 +96,14 @@ fn grid_of_cells(panel: &mut Panel<'_>, ui: &mut Ui, made: &Arc<MadeMap>, view: 
         let label = 14.0;
         let columns = grid.columns() as f32;
         let by_width = (ui.available_width() - gap * columns) / columns;
-        // Cells of all levels in one column take less than twice the finest.
-        let by_height = (ui.available_height() - (gap + label) * grid.hand_built as f32 - label) / 1.75;
+        let by_height = (ui.available_height() - 2.0 * gap - label) / 1.5;
         let largest = by_width.min(by_height).clamp(48.0, grid.levels[0].size as f32 * 2.0);
-        let (area, _) = ui.allocate_exact_size(
-            egui::vec2((largest + gap) * columns, largest * 2.0 + (gap + label) * (grid.hand_built as f32 + 1.0)),
-            Sense::hover(),
-        );
+        let size = egui::vec2((largest + gap) * columns, largest * 1.5 + 2.0 * gap + label);
+        let (area, _) = ui.allocate_exact_size(size, Sense::hover());
         for column in 0..grid.columns() {
             let x = area.left() + column as f32 * (largest + gap);
-            let mut y = area.top() + label;
+            let finest = Pos2::new(x, area.top() + label);
+            let mut next = finest + egui::vec2(0.0, largest + gap);
             ui.painter().text(
                 Pos2::new(x + largest * 0.5, area.top()),
                 Align2::CENTER_TOP,
@@ -114,11 +112,17 @@ fn grid_of_cells(panel: &mut Panel<'_>, ui: &mut Ui, made: &Arc<MadeMap>, view: 
                 ui.visuals().weak_text_color(),
             );
             for level in 0..grid.hand_built {
-                let side = (largest / (1 << level) as f32).max(14.0);
-                let rect = Rect::from_min_size(Pos2::new(x + (largest - side) * 0.5, y), Vec2::splat(side));
+                // Gaps between the coarser ones come out of their sides, so that they end where the finest does.
+                let side = largest / (1 << level) as f32;
+                let rect = if level == 0 {
+                    Rect::from_min_size(finest, Vec2::splat(side))
+                } else {
+                    let rect = Rect::from_min_size(next, Vec2::splat((side - 2.0).max(4.0)));
+                    next.x += side;
+                    rect
+                };
                 let tone = measure.tone(&grid.levels[level].cells[column]);
                 cell(panel, ui, made, (level, column), rect, tone, view);
-                y += side + gap;
             }
         }
     });

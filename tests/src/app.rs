@@ -1,0 +1,67 @@
+//! The application in a window that nobody sees.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use egui_kittest::Harness;
+use tam_viewer::app::{App, Command, Options};
+
+/// Longest time that anything may take.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// A window with the application.
+pub struct Window {
+    /// What is on the screen.
+    pub harness: Harness<'static, App>,
+}
+
+impl Window {
+    /// Opens the application in a window of this size, in points, with a session of its own or none.
+    ///
+    /// # Panics
+    /// If it does not start.
+    pub fn open(size: [f32; 2], session: Option<&Path>) -> Self {
+        let options = Options { session: session.map(Path::to_owned), files: Vec::new() };
+        let harness = Harness::builder().with_size(size).with_step_dt(0.1).wgpu().build_eframe(move |creation| {
+            App::new(&creation.egui_ctx, options).expect("the application starts")
+        });
+        Self { harness }
+    }
+
+    /// A window large enough for all panels, without a session, once its first picture is drawn.
+    pub fn ready() -> Self {
+        let mut window = Self::open([1440.0, 900.0], None);
+        window.settle();
+        window
+    }
+
+    /// Lets the application work until it is at rest.
+    ///
+    /// # Panics
+    /// If it never is.
+    pub fn settle(&mut self) {
+        let start = Instant::now();
+        let mut still = 0;
+        while still < 4 {
+            assert!(start.elapsed() < PATIENCE, "the application never comes to rest");
+            self.harness.step();
+            let app = self.harness.state();
+            still = if app.results().picture.is_some() && !app.is_busy() { still + 1 } else { 0 };
+            if still == 0 {
+                std::thread::sleep(Duration::from_millis(5));
+            }
+        }
+    }
+
+    /// Carries out a command and lets the application work until it is at rest.
+    pub fn run(&mut self, command: Command) {
+        let ctx = self.harness.ctx.clone();
+        self.harness.state_mut().run(&ctx, command);
+        self.settle();
+    }
+
+    /// The application.
+    pub fn app(&self) -> &App {
+        self.harness.state()
+    }
+}
