@@ -44,7 +44,7 @@ pub(crate) fn grouped(count: usize) -> String {
     let mut grouped = String::new();
     for (i, digit) in digits.chars().enumerate() {
         if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            grouped.push('\u{202f}');
+            grouped.push('\u{a0}');
         }
         grouped.push(digit);
     }
@@ -63,6 +63,6 @@ mod tests {
             ["6.3 ms", "140 ms", "2.1 s"]
         );
         assert_eq!(["width_px", "angle_jitter_deg", "bow", "s_curve"].map(option_name), ["Width", "Angle jitter", "Bow", "S curve"]);
-        assert_eq!([counted(1, "triangle"), counted(1_234_567, "triangle")], ["1 triangle", "1\u{202f}234\u{202f}567 triangles"]);
+        assert_eq!([counted(1, "triangle"), counted(1_234_567, "triangle")], ["1 triangle", "1\u{a0}234\u{a0}567 triangles"]);
     }
 }

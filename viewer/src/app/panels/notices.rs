@@ -75,7 +75,7 @@ fn one(ui: &mut Ui, notice: &Notice) -> bool {
                     let text = RichText::new(&notice.text);
                     ui.add(Label::new(if many { text.monospace().small() } else { text }).wrap());
                 });
-                named(ui.small_button("✕"), "Close message").clicked()
+                named(ui.small_button("✖"), "Close message").clicked()
             })
             .inner
         })

@@ -96,7 +96,7 @@ fn lights(panel: &mut Panel<'_>, ui: &mut Ui) {
         ui.push_id(index, |ui| {
             ui.horizontal(|ui| {
                 ui.strong(format!("Light {}", index + 1));
-                let delete = ui.add_enabled(!only, egui::Button::new("✕").small().frame(false));
+                let delete = ui.add_enabled(!only, egui::Button::new("✖").small().frame(false));
                 if number::named(delete, &format!("Remove light {}", index + 1)).clicked() {
                     gone = Some(index);
                 }

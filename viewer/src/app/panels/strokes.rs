@@ -104,7 +104,7 @@ fn families(ui: &mut Ui, preset: &mut Preset) {
                 if own > 0 {
                     ui.weak(format!("{own} of its own"));
                 }
-                let delete = egui::Button::new("✕").small().frame(false);
+                let delete = egui::Button::new("✖").small().frame(false);
                 let delete = number::named(ui.add_enabled(names.len() > 1, delete), &format!("Remove family {name}"));
                 if delete.on_hover_text("Remove this family").clicked() {
                     gone = Some(name.clone());
