@@ -78,9 +78,9 @@ fn surface_ink(point: Point, d: f32) -> f32 {
     if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
         let corners = corner_weights(point.face, frame_place(point.p_world));
         if MAPPING == MAPPING_LAPPED {
-            return lapped_ink(point.face, corners, footprint(point), d);
+            return lapped_ink(point.face, corners, mean_footprint(point), d);
         }
-        return patches_ink(point.face, corners, footprint(point), d);
+        return patches_ink(point.face, corners, mean_footprint(point), d);
     }
     return blended_ink(map_surface(point), d);
 }
