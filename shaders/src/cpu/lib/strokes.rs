@@ -104,6 +104,12 @@ pub fn stroke_darkness(d: f64, swell: f64, variety: f64) -> f64 {
     d + (1.6 * variety).min(1.0) * most * swell
 }
 
+/// How far from the middle of its strip any stroke has ink.
+pub fn stroke_reach(strip: f64, d: f64, variety: f64) -> f64 {
+    let most = stroke_darkness(d, greatest_swell(variety), variety);
+    0.5 * strip * (most + GREATEST_WAVER * variety * (1.0 - most))
+}
+
 /// Ink of one line: `x` from its middle, in a strip of its own as wide as `strip`, in units of `line_ink`.
 pub fn stroke_ink(stroke: Stroke, x: f64, strip: f64, k: f64, d: f64, variety: f64) -> f64 {
     let own = stroke_darkness(d, stroke.swell, variety);
