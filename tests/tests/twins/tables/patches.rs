@@ -80,8 +80,9 @@ pub(crate) fn rows() -> Vec<Row> {
             })
             .in_options([with(Mapping::Lapped, Blend::Union)])
             .within(2.0 * SAMPLED, 0.0),
-        // Planes are anything here, so places are far outside the faces: weights up to 3 stretch the errors.
-        row("surface_ink", Pass::FineTone, "vec4f(surface_ink(case_point(a, b, c, d), d.w), 0.0, 0.0, 0.0)", any_point)
+        // Planes are anything here, so places are far outside the faces: weights up to 3 stretch the errors. So far off
+        // that pixels are as large as texels and the level counts.
+        row("surface_ink", Pass::FineTone, "vec4f(surface_ink(case_point(a, b, c, d), d.w), 0.0, 0.0, 0.0)", far_point)
             .twin(|b, case| {
                 let points = Quad::from_fn(|_| point(case));
                 let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
@@ -109,6 +110,13 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|b, case| one(six_way::pattern_ink(b, super::xy(case[2]), case[2].z, case[0].w)))
             .within(SAMPLED + 1e-4, 0.0),
     ]
+}
+
+/// As [`any_point`], at depths of 10 to 400.
+fn far_point(draw: &Draw) -> Case {
+    let mut case = any_point(draw);
+    case[0].w = draw.scale(OWN + 50, 10.0, 400.0);
+    case
 }
 
 /// Two numbers of ten and more bits.
