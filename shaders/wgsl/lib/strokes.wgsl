@@ -118,7 +118,7 @@ fn patched_stroke(patches: Patches, field: u32, row: i32, octave: u32, variety: 
     var stroke = Stroke(0.0, 0.0);
     var total = 0.0;
     for (var i = 0u; i < patches.count; i++) {
-        let weight = patches.weights[i];
+        let weight = patch_weight(patches, i);
         if weight == 0.0 {
             continue;
         }

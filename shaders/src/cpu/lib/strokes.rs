@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::halftone::line_coverage;
-use super::patches::{NO_SEED, Patches, entry_seed, patch_place};
+use super::patches::{NO_SEED, Patches, entry_seed, patch_place, patch_weight};
 use crate::cpu::Bindings;
 use crate::cpu::builtin::mix;
 
@@ -127,7 +127,11 @@ pub fn entry_row(rows: &[u32], entry: usize, field: u32) -> [i32; 2] {
 pub fn patched_stroke(b: &Bindings<'_>, patches: &Patches, field: u32, row: i32, octave: u32, variety: f64) -> Stroke {
     let tiles = b.material.tile_from_surface.truncate().truncate().length();
     let (mut stroke, mut total) = (Stroke::default(), 0.0);
-    for (i, weight) in patches.weights[..patches.count].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+    for i in 0..patches.count {
+        let weight = patch_weight(b.patches, patches, i);
+        if weight == 0.0 {
+            continue;
+        }
         let entry = patches.first + i;
         let seed = entry_seed(b.patches, entry);
         if seed == NO_SEED {
