@@ -27,15 +27,15 @@ fn varied_ink(patches: Patches, field: u32, phase: f32, phase_per_px: f32, line_
     let row = round(phase * lines);
     let x = 2.0 * (phase * lines - row);
     let side = select(1.0, -1.0, x < 0.0);
-    // Half a pixel, in units of x: strips that it does not reach are left out.
+    // Half a pixel, in units of x. Most of a light tone is paper that no stroke reaches, and knowing so is cheap.
     let reach = 0.5 / k;
     let rows = u32(octave) + 1u;
     var ink = 0.0;
-    if abs(x) - reach < 0.5 * (2.0 - f) {
+    if abs(x) - reach < stroke_reach(2.0 - f, d, variety) {
         let stroke = patched_stroke(patches, field, 2 * i32(row), rows, variety);
         ink = stroke_ink(stroke, x, 2.0 - f, k, d, variety);
     }
-    if 1.0 - abs(x) - reach < 0.5 * f {
+    if 1.0 - abs(x) - reach < stroke_reach(f, d, variety) {
         let stroke = patched_stroke(patches, field, 2 * i32(row) + i32(side), rows, variety);
         ink += stroke_ink(stroke, x - side, f, k, d, variety);
     }

@@ -22,9 +22,11 @@ impl Window {
     /// If it does not start.
     pub fn open(size: [f32; 2], session: Option<&Path>) -> Self {
         let options = Options { session: session.map(Path::to_owned), files: Vec::new() };
-        let harness = Harness::builder().with_size(size).with_step_dt(0.1).wgpu().build_eframe(move |creation| {
-            App::new(&creation.egui_ctx, options).expect("the application starts")
-        });
+        let harness = Harness::builder()
+            .with_size(size)
+            .with_step_dt(0.1)
+            .wgpu()
+            .build_eframe(move |creation| App::new(&creation.egui_ctx, options).expect("the application starts"));
         Self { harness }
     }
 

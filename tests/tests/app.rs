@@ -360,8 +360,15 @@ fn everything_that_can_be_used_has_a_name() {
             let accessible = node.accesskit_node();
             let used = matches!(
                 accessible.role(),
-                Role::Button | Role::CheckBox | Role::Slider | Role::ComboBox | Role::TextInput | Role::SpinButton
-                    | Role::RadioButton | Role::ColorWell | Role::Link
+                Role::Button
+                    | Role::CheckBox
+                    | Role::Slider
+                    | Role::ComboBox
+                    | Role::TextInput
+                    | Role::SpinButton
+                    | Role::RadioButton
+                    | Role::ColorWell
+                    | Role::Link
             );
             let named = accessible.label().is_some_and(|label| !label.trim().is_empty());
             if used && !named {
@@ -370,6 +377,81 @@ fn everything_that_can_be_used_has_a_name() {
         }
     }
     assert!(nameless.is_empty(), "{nameless:#?}");
+}
+
+/// Names of all widgets of a role that can be used now.
+fn names_of(window: &Window, wanted: egui::accesskit::Role) -> Vec<String> {
+    let nodes = window.harness.root().children_recursive();
+    let used = nodes.filter(|node| node.accesskit_node().role() == wanted && !node.accesskit_node().is_disabled());
+    used.filter_map(|node| node.accesskit_node().label()).collect()
+}
+
+#[test]
+fn every_slider_and_checkbox_changes_the_state() {
+    use egui::accesskit::Role;
+    let mut window = Window::ready();
+    let bytes = |window: &Window| serde_json::to_string(window.app().state()).expect("JSON");
+    let mut tried = 0;
+    for pane in [Pane::Strokes, Pane::Shading, Pane::Scene, Pane::Export] {
+        window.run(Command::ShowPane(pane));
+        for role in [Role::Slider, Role::CheckBox] {
+            for name in names_of(&window, role) {
+                let before = bytes(&window);
+                let found = window.harness.query_all_by_role_and_label(role, &name).next();
+                // Some options go with the one that was switched off before.
+                let Some(node) = found else { continue };
+                if role == Role::Slider {
+                    let accessible = node.accesskit_node();
+                    let ends = [accessible.min_numeric_value(), accessible.max_numeric_value()].map(|end| end.unwrap_or(0.0));
+                    let now = accessible.numeric_value().unwrap_or(ends[0]);
+                    let part = if (now - ends[0]) / (ends[1] - ends[0]) < 0.3 { 0.5 } else { 0.1 };
+                    node.set_value_accesskit(ends[0] + (ends[1] - ends[0]) * part);
+                } else {
+                    node.click_accesskit();
+                }
+                window.harness.run_steps(2);
+                assert_ne!(bytes(&window), before, "{pane:?}: {role:?} {name:?} changes nothing");
+                tried += 1;
+            }
+        }
+        // What was tried here must not hide what is tried next.
+        let ctx = window.harness.ctx.clone();
+        let fresh = tam_viewer::app::Document::default();
+        for command in [
+            Command::SetPreset(Box::new(fresh.preset)),
+            Command::SetLook(Box::new(fresh.look)),
+            Command::SetLights(fresh.lights),
+            Command::SetMesh(fresh.mesh),
+        ] {
+            window.harness.state_mut().run(&ctx, command);
+        }
+        window.settle();
+    }
+    assert!(tried > 45, "{tried} controls");
+}
+
+/// Part of the window as a small picture, compared with the one that is kept.
+fn compare_with_kept(window: &mut Window, area: egui::Rect, name: &str) {
+    let picture = window.harness.render().expect("a picture of the window");
+    let side = |from: f32, to: f32| (from.max(0.0) as u32, (to - from.max(0.0)) as u32);
+    let ((x, width), (y, height)) = (side(area.left(), area.right()), side(area.top(), area.bottom()));
+    let part = image::imageops::crop_imm(&picture, x, y, width, height).to_image();
+    // Letters are drawn by the processor and put together by the adapter, whose rounding differs by CPU class.
+    let options = egui_kittest::SnapshotOptions::new().threshold(2.0).max_failed_pixels(40);
+    egui_kittest::image_snapshot_options(&part, name, &options);
+}
+
+#[test]
+fn panels_and_dialogs_look_as_they_did() {
+    let mut window = Window::ready();
+    let label = window.harness.get_by_label("Randomise").rect();
+    let strokes = egui::Rect::from_min_size(label.min, egui::vec2(330.0, 560.0));
+    compare_with_kept(&mut window, strokes, "strokes");
+    window.run(Command::ShowPane(Pane::Shading));
+    compare_with_kept(&mut window, strokes, "shading");
+    window.run(Command::SetTheme(tam_viewer::app::Theme::Light));
+    window.run(Command::ShowPane(Pane::Export));
+    compare_with_kept(&mut window, strokes, "export-light");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use tam_tests::gpu::{Stage, light_from, nan_count, surface_for};
 use tam_tests::measure::{Shot, Subject, pen_stage};
 use tam_viewer::mesh::prepare;
 use tam_viewer::mesh::sample::Sample;
-use tam_viewer::surface::{FieldSource, PatchOptions};
+use tam_viewer::surface::{FieldSource, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions};
 use tam_viewer::{Follow, Lights, Mapping, Method, RenderParams, Scene};
 
 const SIZE: u32 = 1024;
@@ -40,9 +40,9 @@ fn shot(stage: &mut Stage, sample: Sample, triangles: usize, method: Method) -> 
 fn most_deg(sample: Sample, method: Method) -> f64 {
     match (sample, method) {
         (Sample::Hand, Method::Stripes) => 3.0,
-        (_, Method::Stripes) => 5.0,
-        (Sample::Hand, _) => 5.5,
-        _ => 9.0,
+        (_, Method::Stripes) => 3.5,
+        (Sample::Hand, _) => 5.0,
+        _ => 5.5,
     }
 }
 
@@ -71,7 +71,7 @@ fn check(counts: &[usize]) {
                 if method == Method::Stripes {
                     unbroken_px = px;
                 }
-                if deg > most_deg(sample, method) || px < 0.6 * unbroken_px || tone.bias.abs() > 0.004 {
+                if deg > most_deg(sample, method) || px < 0.55 * unbroken_px || tone.bias.abs() > 0.004 {
                     failures.push(row.clone());
                 }
                 table += &row;
@@ -97,27 +97,118 @@ fn strokes_follow_the_form_on_fine_meshes_too() {
 
 #[test]
 fn every_pixel_of_every_sample_is_painted() {
-    let mut stage = Stage::new("fine-pen", 160);
+    paint_all(&[1_000, 20_000]);
+}
+
+#[test]
+#[ignore = "surfaces of eleven meshes of 200,000 triangles take minutes"]
+fn every_pixel_of_every_fine_sample_is_painted_too() {
+    paint_all(&[200_000]);
+}
+
+/// Draws all samples in the dark, in every way that needs a surface.
+fn paint_all(counts: &[usize]) {
+    let base = RenderParams { mapping: Mapping::Patches, silhouettes: None, ..RenderParams::default() };
+    let on = |mapping, method| RenderParams { mapping, method, ..base };
+    let ways = [
+        on(Mapping::Patches, Method::FineTone),
+        on(Mapping::Patches, Method::SixWay),
+        on(Mapping::Patches, Method::StrokeMap),
+        on(Mapping::Lapped, Method::FineTone),
+        on(Mapping::Patches, Method::Stripes),
+        RenderParams { variety: 0.6, ..on(Mapping::Patches, Method::Stripes) },
+    ];
+    let options = SurfaceOptions {
+        patches: Some(PatchOptions::default()),
+        lapped: Some(LappedOptions::default()),
+        stripes: Some(StripeOptions::default()),
+        ..SurfaceOptions::default()
+    };
+    let mut stage = Stage::new("fine-pen", 128);
     for sample in Sample::ALL {
-        for triangles in [1_000, 20_000] {
+        for &triangles in counts {
             let mesh = prepare(sample.build(triangles)).expect("a sample").mesh;
-            for method in [Method::FineTone, Method::SixWay, Method::StrokeMap, Method::Stripes] {
-                let params =
-                    RenderParams { method, mapping: Mapping::Patches, silhouettes: None, ..RenderParams::default() };
-                let mut scene = Scene::of(&mesh);
-                // All dark: paper that shows is a hole.
-                scene.lights = Lights { ambient: 0.0, lights: Vec::new() };
-                scene.transparent = true;
-                let pixels = stage.draw(&scene, &params, &mesh);
-                let what = format!("{} {triangles} {}", sample.name(), method.name());
+            let surface = Surface::new(&mesh, &options).expect("a surface");
+            let uploaded = stage.upload(&ways[0], &mesh, Some(&surface));
+            let mut scene = Scene::of(&mesh);
+            // All dark: paper that shows is a hole.
+            scene.lights = Lights { ambient: 0.0, lights: Vec::new() };
+            scene.transparent = true;
+            for params in &ways {
+                let pixels = stage.draw_uploaded(&scene, params, &uploaded);
+                let what = format!(
+                    "{} {triangles} {} {} {}",
+                    sample.name(),
+                    params.method.name(),
+                    params.mapping.name(),
+                    params.variety
+                );
                 assert_eq!(nan_count(&pixels), 0, "{what}");
                 let shown: Vec<f32> = pixels.iter().filter(|p| p[3] > 0.0).map(|p| p[0]).collect();
                 let paper = shown.iter().filter(|ink| **ink > 0.9).count();
                 // The darkest column of the pen leaves a little paper between its strokes.
-                assert!(paper * 8 < shown.len(), "{what}: {paper} of {} are paper", shown.len());
+                assert!(!shown.is_empty() && paper * 8 < shown.len(), "{what}: {paper} of {} are paper", shown.len());
             }
         }
     }
+}
+
+/// A flat square of many tiles, seen from the front and filling the picture: its mean ink is the tone.
+fn flat(method: Method, mapping: Mapping, tiles_per_unit: f64) -> (Subject, Scene) {
+    let mesh = prepare(Sample::Quad.build(5_000)).expect("a quad").mesh;
+    let params = RenderParams { method, mapping, tiles_per_unit, cross_from: None, ..RenderParams::default() };
+    let subject = Subject::new(mesh, FieldSource::Curvature, params);
+    let mut scene = Scene::of(&subject.mesh);
+    scene.camera.azimuth_deg = 0.0;
+    scene.camera.elevation_deg = 0.0;
+    let places: Vec<DVec3> = subject.mesh.positions.iter().map(|p| p.as_dvec3()).collect();
+    scene.camera.frame_points(&places, 1.0, 0.02);
+    scene.transparent = true;
+    (subject, scene)
+}
+
+/// Means over a thousand patches and more: what a patch shows of its tile is off by some hundredths. A stroke map is off by
+/// as much as this one is by itself, with uv: strokes share thresholds.
+#[test]
+fn the_mean_ink_of_a_flat_square_is_the_tone_that_was_wanted() {
+    let mut stage = pen_stage(1024);
+    let (mut table, mut failures) = (String::new(), Vec::new());
+    for (method, most) in [(Method::SixWay, 0.003), (Method::FineTone, 0.003), (Method::StrokeMap, 0.025)] {
+        for mapping in [Mapping::Uv, Mapping::Patches, Mapping::Lapped] {
+            let (subject, mut scene) = flat(method, mapping, 6.0);
+            let mut row = format!("{:<10} {:<8}", method.name(), mapping.name());
+            let mut worst: f64 = 0.0;
+            for darkness in [0.1, 0.25, 0.4, 0.55, 0.7] {
+                scene.lights = Lights { ambient: 1.0 - darkness, lights: Vec::new() };
+                let bias = subject.shoot(&mut stage, &scene).measures.tone.expect("it is seen").ink.bias;
+                worst = worst.max(bias.abs());
+                row += &format!(" {bias:>+8.4}");
+            }
+            row += "\n";
+            if worst > most {
+                failures.push(row.clone());
+            }
+            table += &row;
+        }
+    }
+    let mut out = std::io::stdout();
+    out.write_all(format!("bias at darkness 0.1, 0.25, 0.4, 0.55, 0.7\n{table}").as_bytes()).expect("a table");
+    assert!(failures.is_empty(), "\n{}", failures.concat());
+}
+
+/// What the strokes on a form are compared with: the same map at the same scale, whole, and in patches.
+#[test]
+fn strokes_in_patches_on_a_flat_square_are_nearly_as_long_as_those_of_the_map() {
+    let mut stage = pen_stage(SIZE);
+    let mut run_px = |mapping| {
+        let (subject, mut scene) = flat(Method::FineTone, mapping, RenderParams::default().tiles_per_unit);
+        scene.lights = Lights { ambient: 0.7, lights: Vec::new() };
+        subject.shoot(&mut stage, &scene).measures.run_length.mean_px.expect("strokes")
+    };
+    let [whole_px, patches_px, lapped_px] = [Mapping::Uv, Mapping::Patches, Mapping::Lapped].map(&mut run_px);
+    let row = format!("flat square: map {whole_px:.0} px, patches {patches_px:.0} px, lapped {lapped_px:.0} px\n");
+    std::io::stdout().write_all(row.as_bytes()).expect("a row");
+    assert!(patches_px > 0.7 * whole_px, "{row}");
 }
 
 #[test]
@@ -162,6 +253,8 @@ fn strokes_on_the_surface_do_not_swim_and_those_that_follow_the_light_do_not_pop
         assert!(motion.popping.expect("changes").slope > 0.7, "{motion:?}");
         table += &format!("light at {start}°: swimming {swimming:.4} per degree\n");
     }
+    let figures = format!("fixed to the surface: swimming {swimming:.4} per degree\n{table}");
+    std::io::stdout().write_all(figures.as_bytes()).expect("a table");
     assert!(worst < 0.05, "{table}");
 }
 

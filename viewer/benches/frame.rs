@@ -1,5 +1,5 @@
 //! What a frame costs: every method as a ratio to `phong`, interleaved, over triangles and picture sizes; the forms of
-//! `face-frame` against each other; and what loading and uploading take.
+//! `face-frame` against each other; strokes that follow the form; and what loading and uploading take.
 //!
 //! `cargo bench -p tam-viewer --bench frame -- [--quick] [--triangles N] [--csv FILE]`. Rows are appended to the file as
 //! they are measured, with the adapter's name. Times are of the device where it has timestamps.
@@ -14,6 +14,7 @@ use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, GpuOptions, PixelFormat, Target};
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
+use tam_viewer::surface::{LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions};
 use tam_viewer::{
     FaceFrameForm, FrameTimer, Light, Mapping, Method, RenderError, RenderParams, Renderer, Scene, Silhouettes,
 };
@@ -26,15 +27,31 @@ struct Way {
     params: RenderParams,
     /// The light turns from frame to frame, so that the frames of the faces are made anew.
     light_turns: bool,
+    /// It draws with the mesh's surface.
+    on_surface: bool,
 }
+
+/// Triangles up to which meshes are given a surface, which takes seconds to make.
+const SURFACE_MOST: usize = 120_000;
 
 fn ways() -> Vec<Way> {
     let base = RenderParams { mapping: Mapping::Uv, silhouettes: None, ..RenderParams::default() };
-    let way = |name, method| Way { name, params: RenderParams { method, ..base }, light_turns: false };
+    let way =
+        |name, method| Way { name, params: RenderParams { method, ..base }, light_turns: false, on_surface: false };
     let frames = |name, face_frame, light_turns| Way {
         name,
         params: RenderParams { method: Method::FaceFrame, face_frame, ..base },
         light_turns,
+        on_surface: false,
+    };
+    let on = |name, mapping, method| Way {
+        params: RenderParams { method, mapping, cross_from: None, ..base },
+        on_surface: true,
+        ..way(name, method)
+    };
+    let stripes = |name, cross_from, variety| {
+        let stripes = on(name, Mapping::Uv, Method::Stripes);
+        Way { params: RenderParams { cross_from, variety, ..stripes.params }, ..stripes }
     };
     let lined = RenderParams { method: Method::Phong, silhouettes: Some(Silhouettes::default()), ..base };
     vec![
@@ -47,7 +64,15 @@ fn ways() -> Vec<Way> {
         frames("face-frame, light turning", FaceFrameForm::Fetched, true),
         frames("face-frame in the vertex stage", FaceFrameForm::Vertex, false),
         frames("face-frame fetched by vertices", FaceFrameForm::VertexFetched, false),
-        Way { name: "phong with lines", params: lined, light_turns: false },
+        Way { name: "phong with lines", params: lined, light_turns: false, on_surface: false },
+        on("six-way, patches", Mapping::Patches, Method::SixWay),
+        on("stroke-map, patches", Mapping::Patches, Method::StrokeMap),
+        on("fine-tone, patches", Mapping::Patches, Method::FineTone),
+        on("six-way, lapped", Mapping::Lapped, Method::SixWay),
+        on("stroke-map, lapped", Mapping::Lapped, Method::StrokeMap),
+        stripes("stripes", None, 0.0),
+        stripes("stripes, crossed", base.cross_from, 0.0),
+        stripes("stripes, varied", None, 0.6),
     ]
 }
 
@@ -88,7 +113,7 @@ fn load(renderer: &Renderer, triangles: usize) -> Result<(Mesh, GpuMesh), Error>
     let mesh = prepare(raw)?.mesh;
     let prepared = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let gpu_mesh = renderer.mesh(&mesh)?;
+    let mut gpu_mesh = renderer.mesh(&mesh)?;
     renderer.gpu.wait()?;
     let uploaded = start.elapsed().as_secs_f64();
     println!(
@@ -98,6 +123,18 @@ fn load(renderer: &Renderer, triangles: usize) -> Result<(Mesh, GpuMesh), Error>
         uploaded * 1e3,
         gpu_mesh.bytes() as f64 / mesh.triangles.len() as f64
     );
+    if mesh.triangles.len() <= SURFACE_MOST {
+        let options = SurfaceOptions {
+            patches: Some(PatchOptions::default()),
+            lapped: Some(LappedOptions::default()),
+            stripes: Some(StripeOptions::default()),
+            ..SurfaceOptions::default()
+        };
+        let start = Instant::now();
+        renderer.attach(&mut gpu_mesh, &Surface::new(&mesh, &options)?)?;
+        renderer.gpu.wait()?;
+        println!("  surface in {:.0} ms", start.elapsed().as_secs_f64() * 1e3);
+    }
     Ok((mesh, gpu_mesh))
 }
 
@@ -143,6 +180,7 @@ fn main() -> Result<(), Error> {
                 if flat_face {
                     ways.retain(|way| matches!(way.name, "phong" | "face-frame"));
                 }
+                ways.retain(|way| !way.on_surface || mesh.triangles.len() <= SURFACE_MOST);
                 let mut times = vec![Vec::new(); ways.len()];
                 for round in 0..rounds + 2 {
                     for (way, times) in ways.iter().zip(&mut times) {

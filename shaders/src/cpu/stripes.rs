@@ -10,7 +10,7 @@ use super::lib::mapping::frame_place;
 use super::lib::material::reflectance;
 use super::lib::patches::{Patches, patches_at};
 use super::lib::stripes::{FADE_FROM, FADE_TO, crossed_darkness, doubled_ink, stripe_phase, stripe_slope};
-use super::lib::strokes::{patched_stroke, stroke_ink};
+use super::lib::strokes::{patched_stroke, stroke_ink, stroke_reach};
 use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::{Bindings, Quad};
 use crate::types::StripePhases;
@@ -37,11 +37,11 @@ pub fn varied_ink(b: &Bindings<'_>, patches: &Patches, field: u32, phase: f64, p
     let reach = 0.5 / k;
     let (row, rows) = (2 * row as i32, octave as u32 + 1);
     let mut ink = 0.0;
-    if x.abs() - reach < 0.5 * (2.0 - f) {
+    if x.abs() - reach < stroke_reach(2.0 - f, d, variety) {
         let stroke = patched_stroke(b, patches, field, row, rows, variety);
         ink += stroke_ink(stroke, x, 2.0 - f, k, d, variety);
     }
-    if 1.0 - x.abs() - reach < 0.5 * f {
+    if 1.0 - x.abs() - reach < stroke_reach(f, d, variety) {
         let stroke = patched_stroke(b, patches, field, row + side as i32, rows, variety);
         ink += stroke_ink(stroke, x - side, f, k, d, variety);
     }

@@ -38,14 +38,15 @@ fn patches_ink(face: u32, corners: vec3f, tiles_per_px: f32, d: f32) -> f32 {
     var sum = 0.0;
     var clear = 1.0;
     for (var i = 0u; i < patches.count; i++) {
-        if patches.weights[i] == 0.0 {
+        let share = patch_weight(patches, i);
+        if share == 0.0 {
             continue;
         }
         let entry = patches.first + i;
         let place = patch_place(patch_entries[entry].places, corners);
         for (var copy = 0u; copy < select(1u, TURNS, FOLLOW == FOLLOW_LIGHT); copy++) {
             let turn = entry_turn(entry, copy);
-            let weight = patches.weights[i] * turn.w;
+            let weight = share * turn.w;
             if weight > 0.0 {
                 let uv = turned_uv(place, turn);
                 if BLEND == BLEND_LINEAR {
@@ -78,9 +79,9 @@ fn surface_ink(point: Point, d: f32) -> f32 {
     if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
         let corners = corner_weights(point.face, frame_place(point.p_world));
         if MAPPING == MAPPING_LAPPED {
-            return lapped_ink(point.face, corners, footprint(point), d);
+            return lapped_ink(point.face, corners, mean_footprint(point), d);
         }
-        return patches_ink(point.face, corners, footprint(point), d);
+        return patches_ink(point.face, corners, mean_footprint(point), d);
     }
     return blended_ink(map_surface(point), d);
 }

@@ -53,7 +53,8 @@ fn patches_direction(face: u32, place: Place) -> vec2f {
     let patches = patches_at(face, place.weights);
     var direction = vec2f(0.0);
     for (var i = 0u; i < patches.count; i++) {
-        if patches.weights[i] == 0.0 {
+        let weight = patch_weight(patches, i);
+        if weight == 0.0 {
             continue;
         }
         let entry = patches.first + i;
@@ -62,7 +63,7 @@ fn patches_direction(face: u32, place: Place) -> vec2f {
         let st_dy = patch_place(places, place.dy);
         for (var copy = 0u; copy < select(1u, TURNS, FOLLOW == FOLLOW_LIGHT); copy++) {
             let turn = entry_turn(entry, copy);
-            direction += patches.weights[i] * turn.w * pattern_direction(rotated(st_dx, turn.z), rotated(st_dy, turn.z));
+            direction += weight * turn.w * pattern_direction(rotated(st_dx, turn.z), rotated(st_dy, turn.z));
         }
     }
     return direction;

@@ -31,6 +31,12 @@ fn footprint(point: Point) -> f32 {
     return flat_on / clamp(abs(dot(point.normal, point.view)), 0.1, 1.0);
 }
 
+// A pixel on a slanted surface is longer one way than the other, and strokes that follow the form run both ways: by the
+// longer side those that run away from the viewer would be smeared, by the shorter those across would flicker.
+fn mean_footprint(point: Point) -> f32 {
+    return sqrt(footprint(point) * material.tile_scale * scene.pixel_world_at_1 * point.depth);
+}
+
 // The place of a point in the space of the frames: the world, or the mesh's own space in the literal form, where the
 // paper computes them.
 fn frame_place(p_world: vec3f) -> vec3f {

@@ -38,8 +38,9 @@ struct Patches {
     count: u32,
     // Barycentric weights of the corners.
     corners: vec3f,
-    // Sum to 1.
-    weights: array<f32, 8>,
+    // How far the nearest stands behind, and the sum of all weights before they are made to sum to 1.
+    least: f32,
+    sum: f32,
 }
 
 fn unpack_tens(code: u32) -> vec3f {
@@ -78,25 +79,26 @@ fn turned_uv(place: vec2f, turn: vec4f) -> vec2f {
     return tile_uv(turn.xy + vec2f(c * place.x - s * place.y, s * place.x + c * place.y));
 }
 
+// How far a fragment stands behind the nearest patch in an entry's.
+fn patch_behind(entry: u32, corners: vec3f) -> f32 {
+    return BEHIND_RANGE * dot(unpack_tens(patch_entries[entry].shares), corners);
+}
+
 fn patches_at(face: u32, corners: vec3f) -> Patches {
-    var patches: Patches;
-    patches.first = patch_starts[face];
-    patches.count = min(patch_starts[face + 1u] - patches.first, MAX_PATCHES);
-    patches.corners = corners;
+    let first = patch_starts[face];
+    let count = min(patch_starts[face + 1u] - first, MAX_PATCHES);
     var least = 1e9;
-    for (var i = 0u; i < patches.count; i++) {
-        let behind = BEHIND_RANGE * dot(unpack_tens(patch_entries[patches.first + i].shares), corners);
-        patches.weights[i] = behind;
-        least = min(least, behind);
+    for (var i = 0u; i < count; i++) {
+        least = min(least, patch_behind(first + i, corners));
     }
     var sum = 0.0;
-    for (var i = 0u; i < patches.count; i++) {
-        let weight = max(0.0, 1.0 - (patches.weights[i] - least));
-        patches.weights[i] = weight;
-        sum += weight;
+    for (var i = 0u; i < count; i++) {
+        sum += max(0.0, 1.0 - (patch_behind(first + i, corners) - least));
     }
-    for (var i = 0u; i < patches.count; i++) {
-        patches.weights[i] /= sum;
-    }
-    return patches;
+    return Patches(first, count, corners, least, sum);
+}
+
+// The weight of one of the patches; read again rather than kept, as arrays cost more than loads.
+fn patch_weight(patches: Patches, i: u32) -> f32 {
+    return max(0.0, 1.0 - (patch_behind(patches.first + i, patches.corners) - patches.least)) / patches.sum;
 }

@@ -91,6 +91,12 @@ fn stroke_darkness(d: f32, swell: f32, variety: f32) -> f32 {
     return d + min(1.0, 1.6 * variety) * most * swell;
 }
 
+// How far from the middle of its strip any stroke has ink: the thickest one, wavering as far as it may.
+fn stroke_reach(strip: f32, d: f32, variety: f32) -> f32 {
+    let most = stroke_darkness(d, greatest_swell(variety), variety);
+    return 0.5 * strip * (most + GREATEST_WAVER * variety * (1.0 - most));
+}
+
 // Ink of one line: x from its middle, in a strip of its own as wide as `strip`, in units of line_ink.
 fn stroke_ink(stroke: Stroke, x: f32, strip: f32, k: f32, d: f32, variety: f32) -> f32 {
     let own = stroke_darkness(d, stroke.swell, variety);
@@ -112,12 +118,12 @@ fn patched_stroke(patches: Patches, field: u32, row: i32, octave: u32, variety: 
     var stroke = Stroke(0.0, 0.0);
     var total = 0.0;
     for (var i = 0u; i < patches.count; i++) {
-        let weight = patches.weights[i];
-        let entry = patches.first + i;
-        let seed = entry_seed(entry);
+        let weight = patch_weight(patches, i);
         if weight == 0.0 {
             continue;
         }
+        let entry = patches.first + i;
+        let seed = entry_seed(entry);
         if seed == NO_SEED {
             // A face alone has no rows.
             total += 0.25 * weight * weight;

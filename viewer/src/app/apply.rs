@@ -276,7 +276,11 @@ fn save(state: &mut State, path: &Path) {
             tell(state, Severity::Done, format!("Saved {}", path.display()));
         }
         Err(error) => {
-            tell(state, Severity::Error, format!("{} could not be saved: {error}. The preset is still here.", path.display()));
+            tell(
+                state,
+                Severity::Error,
+                format!("{} could not be saved: {error}. The preset is still here.", path.display()),
+            );
         }
     }
 }

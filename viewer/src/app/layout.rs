@@ -27,16 +27,8 @@ pub enum Pane {
 
 impl Pane {
     /// All of them.
-    pub const ALL: [Self; 8] = [
-        Self::View,
-        Self::Presets,
-        Self::Strokes,
-        Self::Shading,
-        Self::Scene,
-        Self::Map,
-        Self::Checks,
-        Self::Export,
-    ];
+    pub const ALL: [Self; 8] =
+        [Self::View, Self::Presets, Self::Strokes, Self::Shading, Self::Scene, Self::Map, Self::Checks, Self::Export];
 
     /// What its tab says.
     pub fn title(self) -> &'static str {
@@ -79,8 +71,7 @@ fn split(tiles: &mut Tiles<Pane>, dir: LinearDir, children: &[(TileId, f32)]) ->
 
 /// Whether every panel is there exactly once; a file may say anything.
 pub(crate) fn is_whole(tree: &Tree<Pane>) -> bool {
-    let panes = |wanted: Pane| {
-        tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(pane) if *pane == wanted)).count()
-    };
+    let panes =
+        |wanted: Pane| tree.tiles.tiles().filter(|tile| matches!(tile, Tile::Pane(pane) if *pane == wanted)).count();
     tree.root().is_some() && Pane::ALL.into_iter().all(|pane| panes(pane) == 1)
 }

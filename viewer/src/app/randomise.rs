@@ -9,12 +9,12 @@ use tam_gen::preset::{Range, StrokeOptions};
 
 /// By stroke number: least and greatest of the presets that come with the tool.
 static PLEASANT: LazyLock<Vec<(&'static str, f64, f64)>> = LazyLock::new(|| {
-    let presets: Vec<Preset> =
-        Preset::embedded().iter().filter_map(|(name, _)| Preset::named(name)?.ok()).collect();
+    let presets: Vec<Preset> = Preset::embedded().iter().filter_map(|(name, _)| Preset::named(name)?.ok()).collect();
     let numbers = StrokeOptions::default().numbers();
     let of = |key: &'static str| {
         let found = presets.iter().flat_map(|preset| preset.stroke.numbers()).filter(|(other, _)| *other == key);
-        let (low, high) = found.fold((f64::MAX, f64::MIN), |(low, high), (_, number)| (low.min(number), high.max(number)));
+        let (low, high) =
+            found.fold((f64::MAX, f64::MIN), |(low, high), (_, number)| (low.min(number), high.max(number)));
         (key, low, high)
     };
     numbers.into_iter().map(|(key, _)| of(key)).collect()

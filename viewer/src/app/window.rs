@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use egui::{Context, Ui, ViewportCommand};
 use egui_tiles::{SimplificationOptions, TileId, UiResponse};
@@ -59,6 +59,8 @@ pub struct App {
     thumbnails: HashSet<String>,
     camera_moved_s: f64,
     title: String,
+    /// When it started, until the first picture is there.
+    started: Option<Instant>,
 }
 
 impl App {
@@ -103,6 +105,7 @@ impl App {
             thumbnails: HashSet::new(),
             camera_moved_s: f64::NEG_INFINITY,
             title: String::new(),
+            started: Some(Instant::now()),
         };
         if !options.files.is_empty() {
             app.carry_out(ctx, vec![Command::OpenFiles(options.files)]);
@@ -169,6 +172,11 @@ impl App {
     fn collect(&mut self) -> Vec<Command> {
         let (told, back) = self.engine.collect(&mut self.results);
         self.model.state.transient.notices.extend(told);
+        if self.results.picture.is_some()
+            && let Some(started) = self.started.take()
+        {
+            tracing::info!("first picture after {:.2} s", started.elapsed().as_secs_f64());
+        }
         let mut commands: Vec<Command> = self.asker.answers().collect();
         commands.extend(back.map(Command::SetMesh));
         if self.watch.changed() {
@@ -475,4 +483,3 @@ fn same_on_disk(written: &State, state: &State) -> bool {
     (&written.document, &written.camera, &written.settings, &written.saved)
         == (&state.document, &state.camera, &state.settings, &state.saved)
 }
-

@@ -57,12 +57,21 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([bytes(999), bytes(340_400), bytes(1_600_000), bytes(2_100_000_000)], ["999 B", "340 KB", "1.6 MB", "2.1 GB"]);
+        assert_eq!(
+            [bytes(999), bytes(340_400), bytes(1_600_000), bytes(2_100_000_000)],
+            ["999 B", "340 KB", "1.6 MB", "2.1 GB"]
+        );
         assert_eq!(
             [6.34e-3, 0.1402, 2.1].map(|seconds| duration(Duration::from_secs_f64(seconds))),
             ["6.3 ms", "140 ms", "2.1 s"]
         );
-        assert_eq!(["width_px", "angle_jitter_deg", "bow", "s_curve"].map(option_name), ["Width", "Angle jitter", "Bow", "S curve"]);
-        assert_eq!([counted(1, "triangle"), counted(1_234_567, "triangle")], ["1 triangle", "1\u{a0}234\u{a0}567 triangles"]);
+        assert_eq!(
+            ["width_px", "angle_jitter_deg", "bow", "s_curve"].map(option_name),
+            ["Width", "Angle jitter", "Bow", "S curve"]
+        );
+        assert_eq!(
+            [counted(1, "triangle"), counted(1_234_567, "triangle")],
+            ["1 triangle", "1\u{a0}234\u{a0}567 triangles"]
+        );
     }
 }

@@ -61,6 +61,9 @@ const VERSION: u32 = 1;
 /// Points of all guides of a file together.
 pub const MAX_POINTS: usize = 1_000_000;
 
+/// Places of all guides together that are looked up on the surface, about: a segment has one at least.
+const MAX_SAMPLES: f64 = 1e5;
+
 /// Largest file that is read, in bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
@@ -121,12 +124,15 @@ pub(crate) fn anchors(graph: &Graph, guides: &[Guide]) -> Vec<Anchor> {
     if graph.is_empty() || guides.is_empty() {
         return Vec::new();
     }
-    let step = graph.mean_link().max(1e-9);
+    let pairs = || guides.iter().flat_map(|guide| guide.points.windows(2));
+    let length: f64 = pairs().map(|pair| pair[0].distance(pair[1])).sum();
+    // Twice in a link; guides that go on for thousands of meshes less often.
+    let step = (0.5 * graph.mean_link()).max(length / MAX_SAMPLES).max(1e-9);
     let mut directions: BTreeMap<usize, DVec3> = BTreeMap::new();
-    let nearest = Nearest::new(graph, 2.0 * step);
-    for pair in guides.iter().flat_map(|guide| guide.points.windows(2)) {
+    let nearest = Nearest::new(graph, 2.0 * graph.mean_link().max(1e-9));
+    for pair in pairs() {
         let along = pair[1] - pair[0];
-        let samples = (along.length() / (0.5 * step)).ceil().clamp(1.0, 1e5) as usize;
+        let samples = (along.length() / step).ceil().max(1.0) as usize;
         for i in 0..samples {
             let place = pair[0] + along * ((i as f64 + 0.5) / samples as f64);
             let node = nearest.node(graph, place);

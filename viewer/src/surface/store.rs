@@ -115,11 +115,12 @@ pub fn parse(bytes: &[u8], mesh: &Mesh, options: &SurfaceOptions) -> Result<Opti
     let graph = Graph::new(mesh);
     let faces = mesh.triangles.len();
     let of_nodes = [stored.field.angles_rad.len(), stored.field.strengths.len()];
-    let patches = stored.patches.map(|patches| patches.checked(faces)).transpose()?;
-    let lapped = stored.lapped.map(|patches| patches.checked(faces)).transpose()?;
+    let patches = stored.patches.map(|patches| patches.checked(faces, graph.len())).transpose()?;
+    let lapped = stored.lapped.map(|patches| patches.checked(faces, graph.len())).transpose()?;
     let stripes = stored.stripes.map(|lines| stripes(&lines, faces)).transpose()?;
     let asked = [options.patches.is_some(), options.lapped.is_some(), options.stripes.is_some()];
-    if of_nodes != [graph.len(); 2] || asked != [patches.is_some(), lapped.is_some(), stripes.is_some()] {
+    let numbers = stored.field.angles_rad.iter().chain(&stored.field.strengths).all(|number| number.is_finite());
+    if !numbers || of_nodes != [graph.len(); 2] || asked != [patches.is_some(), lapped.is_some(), stripes.is_some()] {
         return Err(StoreError::Damaged);
     }
     let curvatures = curvatures(&graph);
@@ -173,16 +174,17 @@ impl StoredPatches {
         }
     }
 
-    fn checked(self, faces: usize) -> Result<Patches, StoreError> {
+    fn checked(self, faces: usize, nodes: usize) -> Result<Patches, StoreError> {
         let count = self.entry_seeds.len();
         let ends = self.starts.first() == Some(&0) && self.starts.last().is_some_and(|last| *last as usize == count);
         let steps = self.starts.windows(2).all(|pair| {
             pair[1].checked_sub(pair[0]).is_some_and(|entries| (1..=MAX_ENTRIES as u32).contains(&entries))
         });
-        let seeds = self.entry_seeds.iter().all(|seed| *seed == u32::MAX || (*seed as usize) < self.seeds.len());
+        let seeds = self.entry_seeds.iter().all(|seed| *seed == u32::MAX || (*seed as usize) < self.seeds.len())
+            && self.seeds.iter().all(|seed| (seed.node as usize) < nodes);
         let lengths =
             self.starts.len() == faces + 1 && self.entries.len() == 4 * count && [0, count].contains(&self.rows.len());
-        if !(ends && steps && seeds && lengths && self.tiles_per_unit > 0.0) {
+        if !(ends && steps && seeds && lengths && self.tiles_per_unit.is_normal() && self.tiles_per_unit > 0.0) {
             return Err(StoreError::Damaged);
         }
         let range = if self.lapped { 1.0 } else { BEHIND_RANGE };
@@ -264,6 +266,24 @@ mod tests {
         assert!(parse(&bytes, &other, &all()).expect("whole").is_none());
         let smooth = FieldOptions { smoothing: 2.0, ..FieldOptions::default() };
         assert!(parse(&bytes, &mesh, &SurfaceOptions { field: smooth, ..all() }).expect("whole").is_none());
+    }
+
+    #[test]
+    fn whole_files_that_belong_to_no_surface_are_damaged() {
+        let mesh = mesh(200);
+        let surface = Surface::new(&mesh, &all()).expect("a field");
+        let wrong: [fn(&mut Surface); 4] = [
+            |surface| surface.field.angles_rad[3] = f64::NAN,
+            |surface| surface.patches.as_mut().expect("patches").seeds[0].node = 1_000,
+            |surface| surface.lapped.as_mut().expect("patches").entries[0].seed = 1_000,
+            |surface| surface.patches.as_mut().expect("patches").tiles_per_unit = f64::INFINITY,
+        ];
+        for (i, spoil) in wrong.iter().enumerate() {
+            let mut surface = surface.clone();
+            spoil(&mut surface);
+            let bytes = to_bytes(&mesh, &all(), &surface).expect("bytes");
+            assert!(matches!(parse(&bytes, &mesh, &all()), Err(StoreError::Damaged)), "{i}");
+        }
     }
 
     #[test]

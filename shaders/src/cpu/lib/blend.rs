@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::barycentric::corner_weights;
-use super::mapping::{Mapped, footprint, frame_place, map_surface, pattern_count};
+use super::mapping::{Mapped, frame_place, map_surface, mean_footprint, pattern_count};
 use super::material::tile_uv;
 use super::patches::{MAX_PATCHES, patch_patterns, patch_place, unpack_tens};
 use super::surface::Point;
@@ -89,7 +89,7 @@ pub fn surface_ink(
         return blended_ink(b.options, &mapped[lane], d, |i, d| of_pattern(&mapped, i, d));
     }
     let corners = corner_weights(&b.mesh, point.face, frame_place(form, b.scene, point.p_world));
-    let tiles_per_px = footprint(form, b.scene, b.material, point);
+    let tiles_per_px = mean_footprint(form, b.scene, b.material, point);
     if b.options.mapping == Mapping::Lapped {
         lapped_ink(b, point.face, corners, tiles_per_px, d, of_patch)
     } else {

@@ -9,7 +9,7 @@ use super::face_frame::{complex_square, fixed_tangent, unpack_shares};
 use super::mapping::triplanar_weights;
 use super::material::Material;
 use super::mesh_types::FaceFrame;
-use super::patches::{MAX_PATCHES, TURNS, entry_turn, patch_place, patches_at, unpack_tens};
+use super::patches::{MAX_PATCHES, TURNS, entry_turn, patch_place, patch_weight, patches_at, unpack_tens};
 use super::stripes::stripe_slope;
 use super::surface::Point;
 use crate::cpu::{Bindings, Follow, Mapping};
@@ -59,14 +59,18 @@ pub fn patches_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 
     let patches = patches_at(b.patches, face, place.weights);
     let copies = if b.options.follow == Follow::Light { TURNS } else { 1 };
     let mut direction = DVec2::ZERO;
-    for (i, weight) in patches.weights[..patches.count].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+    for i in 0..patches.count {
+        let weight = patch_weight(b.patches, &patches, i);
+        if weight == 0.0 {
+            continue;
+        }
         let entry = patches.first + i;
         let places = b.patches.entries[entry].places;
         let [st_dx, st_dy] = [place.dx, place.dy].map(|change| patch_place(places, change));
         for copy in 0..copies {
             let turn = entry_turn(b.options.follow, b.patches, entry, copy);
             let own = pattern_direction(b.material, rotated(st_dx, turn.z), rotated(st_dy, turn.z));
-            direction += *weight * turn.w * own;
+            direction += weight * turn.w * own;
         }
     }
     direction

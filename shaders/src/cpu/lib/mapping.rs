@@ -40,6 +40,13 @@ pub fn footprint(form: Form, scene: &Scene, material: &Material, point: &Point) 
     }
 }
 
+/// The mean of the longer and the shorter side of a pixel on a slanted surface, in tiles: strokes that follow the form run
+/// both ways.
+pub fn mean_footprint(form: Form, scene: &Scene, material: &Material, point: &Point) -> f64 {
+    let flat_on = material.tile_scale * scene.pixel_world_at_1 * point.depth;
+    (footprint(form, scene, material, point) * flat_on).sqrt()
+}
+
 /// The place of a point in the space of the frames: the world, or in the literal form the mesh's own.
 pub fn frame_place(form: Form, scene: &Scene, p_world: DVec3) -> DVec3 {
     match form {

@@ -41,8 +41,10 @@ pub struct Patches {
     pub count: usize,
     /// Barycentric weights of the corners.
     pub corners: DVec3,
-    /// Sum to 1.
-    pub weights: [f64; MAX_PATCHES],
+    /// How far the nearest stands behind.
+    pub least: f64,
+    /// Sum of all weights before they are made to sum to 1.
+    pub sum: f64,
 }
 
 /// Three 10-bit unorm, low bits first.
@@ -92,24 +94,25 @@ pub fn turned_uv(material: &Material, place: DVec2, turn: DVec4) -> DVec2 {
     tile_uv(material, turn.truncate().truncate() + DVec2::from_angle(turn.z).rotate(place))
 }
 
-/// The patches of a face and their weights at a fragment.
+/// How far a fragment stands behind the nearest patch in an entry's.
+pub fn patch_behind(entry: &PatchEntry, corners: DVec3) -> f64 {
+    BEHIND_RANGE * unpack_tens(entry.shares).dot(corners)
+}
+
+/// The patches of a face at a fragment.
 pub fn patches_at(table: PatchTable<'_>, face: usize, corners: DVec3) -> Patches {
     let first = table.starts[face] as usize;
     let count = (table.starts[face + 1] as usize - first).min(MAX_PATCHES);
-    let mut weights = [0.0; MAX_PATCHES];
-    let entries = &table.entries[first..first + count];
-    for (weight, entry) in weights.iter_mut().zip(entries) {
-        *weight = BEHIND_RANGE * unpack_tens(entry.shares).dot(corners);
-    }
-    let least = weights[..count].iter().copied().fold(1e9, f64::min);
-    for weight in &mut weights[..count] {
-        *weight = (1.0 - (*weight - least)).max(0.0);
-    }
-    let sum: f64 = weights[..count].iter().sum();
-    for weight in &mut weights[..count] {
-        *weight /= sum;
-    }
-    Patches { first, count, corners, weights }
+    let behind = || table.entries[first..first + count].iter().map(|entry| patch_behind(entry, corners));
+    let least = behind().fold(1e9, f64::min);
+    let sum = behind().map(|behind| (1.0 - (behind - least)).max(0.0)).sum();
+    Patches { first, count, corners, least, sum }
+}
+
+/// The weight of one of the patches; all sum to 1.
+pub fn patch_weight(table: PatchTable<'_>, patches: &Patches, i: usize) -> f64 {
+    let behind = patch_behind(&table.entries[patches.first + i], patches.corners);
+    (1.0 - (behind - patches.least)).max(0.0) / patches.sum
 }
 
 /// Places on the tile and weights of all patches of a face at a fragment, without those that weigh nothing.
@@ -119,9 +122,10 @@ pub fn patch_patterns(b: &Bindings<'_>, face: usize, corners: DVec3) -> Vec<(DVe
     let of_entry = |i: usize| {
         let entry = patches.first + i;
         let place = patch_place(b.patches.entries[entry].places, corners);
+        let share = patch_weight(b.patches, &patches, i);
         (0..copies).map(move |copy| {
             let turn = entry_turn(b.options.follow, b.patches, entry, copy);
-            (turned_uv(b.material, place, turn), patches.weights[i] * turn.w)
+            (turned_uv(b.material, place, turn), share * turn.w)
         })
     };
     (0..patches.count).flat_map(of_entry).filter(|(_, weight)| *weight > 0.0).collect()

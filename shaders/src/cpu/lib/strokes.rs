@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::halftone::line_coverage;
-use super::patches::{NO_SEED, Patches, entry_seed, patch_place};
+use super::patches::{NO_SEED, Patches, entry_seed, patch_place, patch_weight};
 use crate::cpu::Bindings;
 use crate::cpu::builtin::mix;
 
@@ -104,6 +104,12 @@ pub fn stroke_darkness(d: f64, swell: f64, variety: f64) -> f64 {
     d + (1.6 * variety).min(1.0) * most * swell
 }
 
+/// How far from the middle of its strip any stroke has ink.
+pub fn stroke_reach(strip: f64, d: f64, variety: f64) -> f64 {
+    let most = stroke_darkness(d, greatest_swell(variety), variety);
+    0.5 * strip * (most + GREATEST_WAVER * variety * (1.0 - most))
+}
+
 /// Ink of one line: `x` from its middle, in a strip of its own as wide as `strip`, in units of `line_ink`.
 pub fn stroke_ink(stroke: Stroke, x: f64, strip: f64, k: f64, d: f64, variety: f64) -> f64 {
     let own = stroke_darkness(d, stroke.swell, variety);
@@ -121,7 +127,11 @@ pub fn entry_row(rows: &[u32], entry: usize, field: u32) -> [i32; 2] {
 pub fn patched_stroke(b: &Bindings<'_>, patches: &Patches, field: u32, row: i32, octave: u32, variety: f64) -> Stroke {
     let tiles = b.material.tile_from_surface.truncate().truncate().length();
     let (mut stroke, mut total) = (Stroke::default(), 0.0);
-    for (i, weight) in patches.weights[..patches.count].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+    for i in 0..patches.count {
+        let weight = patch_weight(b.patches, patches, i);
+        if weight == 0.0 {
+            continue;
+        }
         let entry = patches.first + i;
         let seed = entry_seed(b.patches, entry);
         if seed == NO_SEED {

@@ -3,14 +3,14 @@
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::blend::{blended_ink, union_darkness};
-use tam_shaders::cpu::lib::columns::column_ink;
+use tam_shaders::cpu::lib::columns::{column_ink, map_level};
 use tam_shaders::cpu::lib::halftone::{halftone_ink, halftone_threshold, line_coverage, line_ink, line_widths};
 use tam_shaders::cpu::lib::mapping::{Mapped, Pattern};
 use tam_shaders::cpu::lib::threshold::{
     distribution_entry, equalised, fract_of, threshold_centred, threshold_one_sided,
 };
 use tam_shaders::cpu::stroke_map::Sampled;
-use tam_shaders::cpu::{Blend, Form, Mapping, Options, PatternKind, fine_tone, six_way, stroke_map};
+use tam_shaders::cpu::{Bindings, Blend, Form, Mapping, Options, PatternKind, fine_tone, six_way, stroke_map};
 
 use super::{one, two, xy};
 use crate::draw::{Case, Draw, OWN};
@@ -133,25 +133,15 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|b, case| one(fine_tone::pattern_ink(b, xy(case[2]), case[1].w, case[0].z)))
             .in_both_forms()
             .within(SAMPLED + 1e-4, 0.0),
-        // Thresholds off by a sample's error, stretched by the table (8 at most between its first entries, 3
-        // elsewhere), by the slope of 24 and by the difference to three other samples. So tones are compared where the
-        // slope is small.
-        row("pattern_ink", Pass::StrokeMap, "vec4f(pattern_ink(c.xy, b.w, a.x), 0.0, 0.0, 0.0)", smooth_thresholds)
-            .quad_twin(|b, quad, lane| {
-                let at = quad.map(|case| Sampled { uv: xy(case[2]), tiles_per_px: case[1].w });
-                one(stroke_map::pattern_ink(b, &at, lane, quad[lane][0].x))
-            })
-            .in_options([
-                with(Form::Literal, Blend::Union, PatternKind::Strokes),
-                with(Form::Hardened, Blend::Union, PatternKind::Lines),
-            ])
+        // As the sketch prints it, a slope of 4 stretches the sampler's error.
+        stroke_map_row()
+            .in_options([with(Form::Literal, Blend::Union, PatternKind::Strokes)])
             .within(4.0 * SAMPLED, 0.0),
-        row("pattern_ink", Pass::StrokeMap, "vec4f(pattern_ink(c.xy, b.w, a.x), 0.0, 0.0, 0.0)", smooth_thresholds)
-            .quad_twin(|b, quad, lane| {
-                let at = quad.map(|case| Sampled { uv: xy(case[2]), tiles_per_px: case[1].w });
-                one(stroke_map::pattern_ink(b, &at, lane, quad[lane][0].x))
-            })
-            .within(24.0 * 3.0 * SAMPLED, 0.0),
+        // No sampler: phases below 10, sharpened by the change from pixel to pixel, of which the round-off of places
+        // leaves four digits at the smallest steps.
+        stroke_map_row().in_options([with(Form::Hardened, Blend::Union, PatternKind::Lines)]).within(5e-3, 0.0),
+        // The sampler's error, stretched as the table and the slope do it at this very threshold.
+        stroke_map_row().within(1e-3, 0.0).stretched(stretched_threshold),
         // Three samples, one inside the other's rest: their errors add up; the sum of weights is 1.
         row(
             "blended_ink",
@@ -175,6 +165,31 @@ pub(crate) fn rows() -> Vec<Row> {
         ])
         .within(3.0 * SAMPLED + 1e-4, 0.0),
     ]
+}
+
+fn stroke_map_row() -> Row {
+    row("pattern_ink", Pass::StrokeMap, "vec4f(pattern_ink(c.xy, b.w, a.x), 0.0, 0.0, 0.0)", smooth_thresholds)
+        .quad_twin(|b, quad, lane| {
+            let at = quad.map(|case| Sampled { uv: xy(case[2]), tiles_per_px: case[1].w });
+            one(stroke_map::pattern_ink(b, &at, lane, quad[lane][0].x))
+        })
+}
+
+/// How much the ink of a stroke map changes where threshold and change per texel are off by the sampler's error.
+fn stretched_threshold(b: &Bindings<'_>, case: &Case) -> f64 {
+    let (uv, tiles_per_px, d) = (xy(case[2]), case[1].w, case[0].x);
+    let level = map_level(b.material, tiles_per_px);
+    let sampled = b.map.sample_level(uv, 0, level);
+    let texels_per_px = tiles_per_px * b.material.size_px * (-level).exp2();
+    let ink = |off: f64, off_slope: f64| {
+        let theta = equalised(b.material, b.distribution, sampled.x + off, level);
+        threshold_centred(d, theta.share, theta.rate * (sampled.y + off_slope).max(0.0) * texels_per_px)
+    };
+    let exact = ink(0.0, 0.0);
+    // Between them lies an entry of the table at most, so the ends and their halves show the greatest change.
+    let offs = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|share| share * SAMPLED);
+    let inks = offs.into_iter().flat_map(|off| offs.map(|off_slope| ink(off, off_slope)));
+    inks.map(|ink| (ink - exact).abs()).fold(0.0, f64::max)
 }
 
 /// Tone, level, threshold and its change per pixel; slope, phase and its change; place on the tile and among six

@@ -4,7 +4,9 @@ use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::corner_weights;
 use tam_shaders::cpu::lib::blend::{lapped_ink, patches_ink, surface_ink};
-use tam_shaders::cpu::lib::patches::{entry_turn, patch_place, patches_at, turned_uv, unpack_tens};
+use tam_shaders::cpu::lib::patches::{
+    entry_turn, patch_behind, patch_place, patch_weight, patches_at, turned_uv, unpack_tens,
+};
 use tam_shaders::cpu::{Blend, Follow, Form, Mapping, Options, Quad, fine_tone, six_way};
 
 use super::maps::SAMPLED;
@@ -43,24 +45,38 @@ pub(crate) fn rows() -> Vec<Row> {
                 two(turned_uv(b.material, super::xy(case[2]), turn))
             })
             .within(2e-5, 0.0),
-        // Differences of numbers up to 4, each a few round-offs.
+        // A number up to 4.
+        row("patch_behind", Pass::FineTone, "vec4f(patch_behind(u32(d.z), b.xyz), 0.0, 0.0, 0.0)", in_a_face)
+            .twin(|b, case| one(patch_behind(&b.patches.entries[case[3].z as usize], case[1].truncate())))
+            .within(32.0 * U, 0.0),
         row(
-            "patches_at",
+            "patch_weight",
             Pass::FineTone,
-            "vec4f(patches_at(u32(d.z), b.xyz).weights[u32(d.w)], f32(patches_at(u32(d.z), b.xyz).first), \
-             f32(patches_at(u32(d.z), b.xyz).count), patches_at(u32(d.z), b.xyz).corners.x)",
+            // Some faces here have no patches.
+            "vec4f(select(patch_weight(patches_at(u32(d.z), b.xyz), u32(d.w)), 0.0, \
+             u32(d.w) >= patches_at(u32(d.z), b.xyz).count), 0.0, 0.0, 0.0)",
             in_a_face,
         )
         .twin(|b, case| {
             let patches = patches_at(b.patches, case[3].z as usize, case[1].truncate());
-            DVec4::new(
-                patches.weights[case[3].w as usize],
-                patches.first as f64,
-                patches.count as f64,
-                patches.corners.x,
-            )
+            let i = case[3].w as usize;
+            one(if i < patches.count { patch_weight(b.patches, &patches, i) } else { 0.0 })
         })
         .within(64.0 * U, 0.0),
+        // Differences of numbers up to 4, each a few round-offs, of eight of them.
+        row(
+            "patches_at",
+            Pass::FineTone,
+            "vec4f(patches_at(u32(d.z), b.xyz).least + 8.0 * patches_at(u32(d.z), b.xyz).sum, \
+             f32(patches_at(u32(d.z), b.xyz).first), f32(patches_at(u32(d.z), b.xyz).count), \
+             patches_at(u32(d.z), b.xyz).corners.x)",
+            in_a_face,
+        )
+        .twin(|b, case| {
+            let patches = patches_at(b.patches, case[3].z as usize, case[1].truncate());
+            DVec4::new(patches.least + 8.0 * patches.sum, patches.first as f64, patches.count as f64, patches.corners.x)
+        })
+        .within(512.0 * U, 0.0),
         // Each pattern is one sample; weights sum to 1, and no union is more sensitive than its patterns together.
         row("patches_ink", Pass::FineTone, "vec4f(patches_ink(u32(d.z), b.xyz, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
             .twin(|b, case| {
@@ -80,8 +96,9 @@ pub(crate) fn rows() -> Vec<Row> {
             })
             .in_options([with(Mapping::Lapped, Blend::Union)])
             .within(2.0 * SAMPLED, 0.0),
-        // Planes are anything here, so places are far outside the faces: weights up to 3 stretch the errors.
-        row("surface_ink", Pass::FineTone, "vec4f(surface_ink(case_point(a, b, c, d), d.w), 0.0, 0.0, 0.0)", any_point)
+        // Planes are anything here, so places are far outside the faces: weights up to 3 stretch the errors. So far off
+        // that pixels are as large as texels and the level counts.
+        row("surface_ink", Pass::FineTone, "vec4f(surface_ink(case_point(a, b, c, d), d.w), 0.0, 0.0, 0.0)", far_point)
             .twin(|b, case| {
                 let points = Quad::from_fn(|_| point(case));
                 let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
@@ -109,6 +126,13 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|b, case| one(six_way::pattern_ink(b, super::xy(case[2]), case[2].z, case[0].w)))
             .within(SAMPLED + 1e-4, 0.0),
     ]
+}
+
+/// As [`any_point`], at depths of 10 to 400.
+fn far_point(draw: &Draw) -> Case {
+    let mut case = any_point(draw);
+    case[0].w = draw.scale(OWN + 50, 10.0, 400.0);
+    case
 }
 
 /// Two numbers of ten and more bits.

@@ -8,6 +8,7 @@ use tam_shaders::cpu::lib::stripes::{
     unfolded_corners, windings,
 };
 use tam_shaders::cpu::stripes::{ALONG, crossed_ink, stripes_ink};
+use tam_shaders::cpu::{Bindings, Options};
 use tam_shaders::types::StripePhases;
 
 use super::{any_point, one, three, two};
@@ -101,10 +102,33 @@ fn ink_rows() -> Vec<Row> {
             "vec4f(crossed_ink(u32(d.x * 8.0) + 20u, Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)",
             places,
         )
-        .twin(|b, case| one(crossed_ink(b, (case[3].x * 8.0) as u32 as usize + 20, &at(case), case[0].w)))
+        .twin(|b, case| one(crossed(b, case)))
         .except_where(|_, case| in_the_middle(case))
         .within(2.0 * 500.0 * 10.0 * 128.0 * U, 0.0),
+        // As `varied_ink`, of both fields.
+        row(
+            "crossed_ink",
+            Pass::Stripes,
+            "vec4f(crossed_ink(u32(d.x * 8.0) + 20u, Place(a.xyz, b.xyz, c.xyz), a.w), 0.0, 0.0, 0.0)",
+            places,
+        )
+        .twin(|b, case| one(crossed(b, case)))
+        .in_options([Options { varied: true, ..Options::default() }])
+        .except_where(|b, case| {
+            // Where the nearer line changes, or the stroke.
+            let nearby = [-1e-5, 1e-5].map(|step| {
+                let mut moved = *case;
+                (moved[0].x, moved[0].z) = (case[0].x + step, case[0].z - step);
+                crossed(b, &moved)
+            });
+            in_the_middle(case) || (nearby[0] - nearby[1]).abs() > 0.01
+        })
+        .within(0.02, 0.0),
     ]
+}
+
+fn crossed(b: &Bindings<'_>, case: &Case) -> f64 {
+    crossed_ink(b, (case[3].x * 8.0) as u32 as usize + 20, &at(case), case[0].w)
 }
 
 /// Weights of the corners and a tone; their change to the right and a phase; downwards, and a change of phase; phases
@@ -146,7 +170,7 @@ fn at(case: &Case) -> Place {
     Place { weights: case[0].truncate(), dx: case[1].truncate(), dy: case[2].truncate() }
 }
 
-fn place(b: &tam_shaders::cpu::Bindings<'_>, case: &Case) -> Place {
+fn place(b: &Bindings<'_>, case: &Case) -> Place {
     let [p, dx, dy]: [DVec3; 3] = [case[0], case[1], case[2]].map(DVec4::truncate);
     place_in_face(&b.mesh, case[3].z as usize, p, dx, dy)
 }

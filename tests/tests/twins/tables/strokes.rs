@@ -5,7 +5,7 @@ use tam_shaders::Pass;
 use tam_shaders::cpu::lib::patches::{entry_seed, patches_at};
 use tam_shaders::cpu::lib::strokes::{
     Stroke, cell_start, entry_row, greatest_swell, lot, mixed_bits, patched_stroke, row_key, row_octave, row_shift,
-    stroke_at, stroke_darkness, stroke_gap, stroke_ink, stroke_profile,
+    stroke_at, stroke_darkness, stroke_gap, stroke_ink, stroke_profile, stroke_reach,
 };
 use tam_shaders::cpu::stripes::varied_ink;
 use tam_shaders::cpu::{Bindings, Options};
@@ -76,6 +76,9 @@ fn strokes() -> Vec<Row> {
             .within(2e-5 + 40.0 * 4.0 * 20.0 * 4.0 * U, 0.0),
         row("stroke_darkness", Pass::Stripes, "vec4f(stroke_darkness(a.w, c.z, a.x), 0.0, 0.0, 0.0)", lines)
             .twin(|_, case| one(stroke_darkness(case[0].w, case[2].z, case[0].x)))
+            .within(32.0 * U, 0.0),
+        row("stroke_reach", Pass::Stripes, "vec4f(stroke_reach(a.z, a.w, a.x), 0.0, 0.0, 0.0)", lines)
+            .twin(|_, case| one(stroke_reach(case[0].z, case[0].w, case[0].x)))
             .within(32.0 * U, 0.0),
         row(
             "stroke_ink",

@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::mapping::{
-    Mapped, footprint, frame_patterns, frame_place, map_frames, map_surface, map_triplanar, map_uv, pattern_count,
-    triplanar_weights,
+    Mapped, footprint, frame_patterns, frame_place, map_frames, map_surface, map_triplanar, map_uv, mean_footprint,
+    pattern_count, triplanar_weights,
 };
 use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, face_of, surface_point, surface_vertex};
 use tam_shaders::cpu::{Mapping, Options};
@@ -83,6 +83,15 @@ fn mapping_rows() -> Vec<Row> {
             .twin(|b, case| one(footprint(b.options.form, b.scene, b.material, &point(case))))
             .in_both_forms()
             .within(1e-9, 100.0 * U),
+        row(
+            "mean_footprint",
+            Pass::FineTone,
+            "vec4f(mean_footprint(case_point(a, b, c, d)), 0.0, 0.0, 0.0)",
+            any_point,
+        )
+        .twin(|b, case| one(mean_footprint(b.options.form, b.scene, b.material, &point(case))))
+        .in_both_forms()
+        .within(1e-9, 100.0 * U),
         // A matrix that stretches to 2 at most.
         row("frame_place", Pass::StrokeMap, "vec4f(frame_place(a.xyz), 0.0)", any_point)
             .twin(|b, case| three(frame_place(b.options.form, b.scene, case[0].truncate())))

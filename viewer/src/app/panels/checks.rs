@@ -31,7 +31,10 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
         if !current {
             ui.weak("Checking the new map…");
         } else if failing == 0 {
-            ui.colored_label(colour(ui, &Verdict::Pass), RichText::new("Every constraint that can be judged holds.").strong());
+            ui.colored_label(
+                colour(ui, &Verdict::Pass),
+                RichText::new("Every constraint that can be judged holds.").strong(),
+            );
         } else {
             let plural = if failing == 1 { "constraint fails" } else { "constraints fail" };
             ui.colored_label(colour(ui, &Verdict::Fail), RichText::new(format!("{failing} {plural}.")).strong());

@@ -84,7 +84,8 @@ fn estimate(panel: &Panel<'_>, formats: &[String]) -> u64 {
         Format::StrokesJson => made.map.strokes.strokes.len() as u64 * 190,
         Format::StrokesSvg => made.map.strokes.strokes.len() as u64 * 130,
     };
-    Format::ALL.into_iter().filter(|format| formats.iter().any(|name| name == format.name())).map(of).sum::<u64>() + plane / 3
+    Format::ALL.into_iter().filter(|format| formats.iter().any(|name| name == format.name())).map(of).sum::<u64>()
+        + plane / 3
 }
 
 fn picture(panel: &mut Panel<'_>, ui: &mut Ui) {
@@ -114,7 +115,8 @@ fn picture(panel: &mut Panel<'_>, ui: &mut Ui) {
 fn turntable(panel: &mut Panel<'_>, ui: &mut Ui) {
     let mut settings = panel.state.settings.turntable.clone();
     let whole = |name, doc, min, max, default| Number { name, doc, unit: "", min, max, default, whole: true };
-    let (mut side, mut frames, mut fps) = (f64::from(settings.side_px), f64::from(settings.frames), f64::from(settings.fps));
+    let (mut side, mut frames, mut fps) =
+        (f64::from(settings.side_px), f64::from(settings.frames), f64::from(settings.fps));
     let changed = number::row(ui, whole("Side", "Of its square frames, in pixels", 16.0, 2048.0, 512.0), &mut side)
         | number::row(ui, whole("Frames", "Of one round", 2.0, 360.0, 48.0), &mut frames)
         | number::row(ui, whole("Per second", "Frames per second", 1.0, 60.0, 24.0), &mut fps);
@@ -122,7 +124,11 @@ fn turntable(panel: &mut Panel<'_>, ui: &mut Ui) {
         (settings.side_px, settings.frames, settings.fps) = (side as u32, frames as u32, fps as u16);
         panel.ask(Command::SetTurntable(settings));
     }
-    if ui.button("Save turntable…").on_hover_text("What plays, else the camera going round; .png (APNG) or .gif").clicked() {
+    if ui
+        .button("Save turntable…")
+        .on_hover_text("What plays, else the camera going round; .png (APNG) or .gif")
+        .clicked()
+    {
         panel.ask(Command::SaveTurntable(None));
     }
 }

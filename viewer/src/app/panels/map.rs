@@ -54,11 +54,12 @@ fn choices(ui: &mut Ui, made: &MadeMap, view: &mut CellView) {
     named(shown.response, "Level");
     if view.tab != MapTab::StrokeMap {
         let tone = |column: usize| format!("tone {:.2}", grid.tones[column]);
-        let shown = egui::ComboBox::from_id_salt("column").selected_text(tone(view.column)).width(84.0).show_ui(ui, |ui| {
-            for other in 0..grid.columns() {
-                ui.selectable_value(&mut view.column, other, tone(other));
-            }
-        });
+        let shown =
+            egui::ComboBox::from_id_salt("column").selected_text(tone(view.column)).width(84.0).show_ui(ui, |ui| {
+                for other in 0..grid.columns() {
+                    ui.selectable_value(&mut view.column, other, tone(other));
+                }
+            });
         named(shown.response, "Column");
     }
     if before != *view {
@@ -70,7 +71,8 @@ fn choices(ui: &mut Ui, made: &MadeMap, view: &mut CellView) {
 fn numbers(ui: &mut Ui, made: &MadeMap, view: &CellView) {
     let grid = &made.map.grid;
     if matches!(view.tab, MapTab::StrokeMap | MapTab::Grid) {
-        let what = format!("{} tones, {} levels, {} strokes", grid.columns(), grid.hand_built, made.map.strokes.strokes.len());
+        let what =
+            format!("{} tones, {} levels, {} strokes", grid.columns(), grid.hand_built, made.map.strokes.strokes.len());
         ui.weak(what);
         return;
     }
@@ -140,7 +142,8 @@ fn cell(
     let grid = &made.map.grid;
     let name = format!("cell {level} {column}");
     let colours = colours(made);
-    let texture = panel.textures.sharp(ui.ctx(), &name, version(made), || pictures::cell(&grid.levels[level], column, colours));
+    let texture =
+        panel.textures.sharp(ui.ctx(), &name, version(made), || pictures::cell(&grid.levels[level], column, colours));
     let uv = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
     ui.painter().image(texture.id(), rect, uv, Color32::WHITE);
     let response = ui.interact(rect, ui.scope_id().with((level, column)), Sense::click());
@@ -237,7 +240,8 @@ fn offending_texels(panel: &Panel<'_>, level: usize, column: usize) -> Vec<u32> 
 fn legend(ui: &Ui, painter: &egui::Painter, rect: Rect, columns: usize) {
     let shown = columns.min(12);
     let width = 16.0;
-    let ground = Rect::from_min_size(rect.left_top() + egui::vec2(8.0, 8.0), egui::vec2(width * shown as f32 + 190.0, 22.0));
+    let ground =
+        Rect::from_min_size(rect.left_top() + egui::vec2(8.0, 8.0), egui::vec2(width * shown as f32 + 190.0, 22.0));
     painter.rect_filled(ground, CornerRadius::same(4), ui.visuals().panel_fill.gamma_multiply(0.88));
     for part in 0..shown {
         let column = part * columns / shown;
@@ -254,14 +258,7 @@ fn legend(ui: &Ui, painter: &egui::Painter, rect: Rect, columns: usize) {
     );
 }
 
-fn texel_under_mouse(
-    ui: &Ui,
-    response: &egui::Response,
-    made: &MadeMap,
-    view: &CellView,
-    shown: Rect,
-    scale: f32,
-) {
+fn texel_under_mouse(ui: &Ui, response: &egui::Response, made: &MadeMap, view: &CellView, shown: Rect, scale: f32) {
     let Some(pointer) = response.hover_pos() else { return };
     let at = (pointer - shown.min) / scale;
     let side = made.map.grid.levels[view.level].size as usize;

@@ -104,8 +104,7 @@ pub(super) fn turned(light: &Light, camera: &Camera, towards: DVec3) -> Light {
 pub(super) fn light_dragged(light: &Light, camera: &Camera, by: Vec2) -> Light {
     let (right, up) = axes(camera);
     let (dx, dy) = (f64::from(by.x) * DEGREES_PER_POINT, f64::from(by.y) * DEGREES_PER_POINT);
-    let turn = glam::DQuat::from_axis_angle(up, dx.to_radians())
-        * glam::DQuat::from_axis_angle(right, dy.to_radians());
+    let turn = glam::DQuat::from_axis_angle(up, dx.to_radians()) * glam::DQuat::from_axis_angle(right, dy.to_radians());
     turned(light, camera, turn * towards(light, camera))
 }
 
@@ -147,7 +146,9 @@ mod tests {
         }
         let light = Light::at(DVec3::new(0.0, 3.0, 0.0));
         let moved = turned(&light, &camera, DVec3::X);
-        assert!(matches!(moved.kind, LightKind::Positional { position } if position.distance(DVec3::new(3.0, 0.0, 0.0)) < 1e-9));
+        assert!(
+            matches!(moved.kind, LightKind::Positional { position } if position.distance(DVec3::new(3.0, 0.0, 0.0)) < 1e-9)
+        );
     }
 
     #[test]

@@ -38,7 +38,11 @@ pub(crate) fn offered(state: &State) -> Vec<MeshSource> {
 }
 
 fn mesh(panel: &mut Panel<'_>, ui: &mut Ui) {
-    if ui.button("Load a mesh…").on_hover_text("OBJ, glTF, GLB, PLY or STL (Ctrl+Shift+O); or drop it onto the window").clicked() {
+    if ui
+        .button("Load a mesh…")
+        .on_hover_text("OBJ, glTF, GLB, PLY or STL (Ctrl+Shift+O); or drop it onto the window")
+        .clicked()
+    {
         panel.ask(Command::OpenMesh(None));
     }
     let chosen = panel.state.document.mesh.clone();
@@ -74,11 +78,8 @@ fn mesh(panel: &mut Panel<'_>, ui: &mut Ui) {
         }
     }
     if let Some(mesh) = &panel.results.mesh {
-        let text = format!(
-            "{}, {}",
-            counted(mesh.mesh.triangles.len(), "triangle"),
-            counted(mesh.mesh.parts.len(), "object")
-        );
+        let text =
+            format!("{}, {}", counted(mesh.mesh.triangles.len(), "triangle"), counted(mesh.mesh.parts.len(), "object"));
         ui.label(egui::RichText::new(text).weak());
         for note in mesh.report.notes() {
             ui.label(egui::RichText::new(format!("· {note}")).weak().small());
@@ -166,8 +167,24 @@ fn one_light(ui: &mut Ui, index: usize, light: &mut Light) {
             let mut azimuth = to_light.x.atan2(to_light.z).to_degrees();
             let mut elevation = to_light.y.clamp(-1.0, 1.0).asin().to_degrees();
             let (around, above) = (named("Around"), named("Above"));
-            let turn = Number { name: &around, doc: "Angle around", unit: "degrees", min: -180.0, max: 180.0, default: -40.0, whole: false };
-            let rise = Number { name: &above, doc: "Angle above the horizon", unit: "degrees", min: -90.0, max: 90.0, default: 45.0, whole: false };
+            let turn = Number {
+                name: &around,
+                doc: "Angle around",
+                unit: "degrees",
+                min: -180.0,
+                max: 180.0,
+                default: -40.0,
+                whole: false,
+            };
+            let rise = Number {
+                name: &above,
+                doc: "Angle above the horizon",
+                unit: "degrees",
+                min: -90.0,
+                max: 90.0,
+                default: 45.0,
+                whole: false,
+            };
             if number::row(ui, turn, &mut azimuth) | number::row(ui, rise, &mut elevation) {
                 light.kind = Light::from_angles(azimuth, elevation).kind;
             }
@@ -177,7 +194,11 @@ fn one_light(ui: &mut Ui, index: usize, light: &mut Light) {
             point(ui, &named("Place"), position);
             point(ui, &named("Towards"), direction);
             let (cutoff, edge) = (named("Cut-off"), named("Falls off"));
-            number::row(ui, Number::view(&cutoff, "Angle beyond which there is no light", ranges::CUTOFF_DEG, 35.0), cutoff_deg);
+            number::row(
+                ui,
+                Number::view(&cutoff, "Angle beyond which there is no light", ranges::CUTOFF_DEG, 35.0),
+                cutoff_deg,
+            );
             let falls = Number::view(&edge, "Power of the cosine from the axis", ranges::SPOT_EXPONENT, 4.0);
             number::row(ui, falls.between(0.0, 64.0), exponent);
         }
@@ -210,10 +231,12 @@ fn colours(panel: &mut Panel<'_>, ui: &mut Ui) {
     row(ui, "Ink", &mut ink, &mut preset.colours.ink);
     ui.horizontal(|ui| {
         for (name, paper, ink) in PAIRS {
-            let colour = |css: &str| csscolorparser::parse(css).map_or(Color32::WHITE, |colour| {
-                let [r, g, b, _] = colour.to_rgba8();
-                Color32::from_rgb(r, g, b)
-            });
+            let colour = |css: &str| {
+                csscolorparser::parse(css).map_or(Color32::WHITE, |colour| {
+                    let [r, g, b, _] = colour.to_rgba8();
+                    Color32::from_rgb(r, g, b)
+                })
+            };
             let button = egui::Button::new(egui::RichText::new("//").color(colour(ink)).strong()).fill(colour(paper));
             if number::named(ui.add(button), &format!("Colours: {name}")).on_hover_text(name).clicked() {
                 (preset.colours.paper, preset.colours.ink) = (paper.to_owned(), ink.to_owned());
@@ -262,11 +285,35 @@ fn object(ui: &mut Ui, name: &str, material: &mut Material) {
         ui.color_edit_button_rgb(&mut material.colour).labelled_by(label.id);
     });
     let plain = |name, doc, min, max, default| Number { name, doc, unit: "", min, max, default, whole: false };
-    number::row(ui, plain("Ambient", "Share of the ambient light that is seen", 0.0, 1.0, default.ambient), &mut material.ambient);
+    number::row(
+        ui,
+        plain("Ambient", "Share of the ambient light that is seen", 0.0, 1.0, default.ambient),
+        &mut material.ambient,
+    );
     number::row(ui, plain("Diffuse", "Diffuse reflectance", 0.0, 1.0, default.diffuse), &mut material.diffuse);
-    number::row(ui, plain("Highlight", "Strength of the highlight", 0.0, 1.0, default.specular), &mut material.specular);
-    number::row(ui, plain("Shininess", "How small the highlight is", 1.0, 200.0, default.shininess), &mut material.shininess);
-    let turn = Number { name: "Turn", doc: "Strokes turned about the normal", unit: "degrees", min: -180.0, max: 180.0, default: 0.0, whole: false };
+    number::row(
+        ui,
+        plain("Highlight", "Strength of the highlight", 0.0, 1.0, default.specular),
+        &mut material.specular,
+    );
+    number::row(
+        ui,
+        plain("Shininess", "How small the highlight is", 1.0, 200.0, default.shininess),
+        &mut material.shininess,
+    );
+    let turn = Number {
+        name: "Turn",
+        doc: "Strokes turned about the normal",
+        unit: "degrees",
+        min: -180.0,
+        max: 180.0,
+        default: 0.0,
+        whole: false,
+    };
     number::row(ui, turn, &mut material.rotation_deg);
-    number::row(ui, plain("Scale", "Repeats of the tile, relative to the others", 0.1, 8.0, default.scale), &mut material.scale);
+    number::row(
+        ui,
+        plain("Scale", "Repeats of the tile, relative to the others", 0.1, 8.0, default.scale),
+        &mut material.scale,
+    );
 }

@@ -112,7 +112,11 @@ fn detail(ui: &mut Ui, look: &mut Look) {
         let tiles = Number::view("Tiles", doc, ranges::TILES_PER_UNIT, default.tiles_per_unit).between(0.1, 20.0);
         number::row(ui, tiles, &mut params.tiles_per_unit);
         let doc = "Added to the level of detail: negative draws finer, thinner strokes";
-        number::row(ui, Number::view("Level bias", doc, ranges::LEVEL_BIAS, default.level_bias), &mut params.level_bias);
+        number::row(
+            ui,
+            Number::view("Level bias", doc, ranges::LEVEL_BIAS, default.level_bias),
+            &mut params.level_bias,
+        );
     }
     if params.method.takes_mapping() && params.mapping.takes_surface() {
         let word = |blend: Blend| match blend {
@@ -124,7 +128,11 @@ fn detail(ui: &mut Ui, look: &mut Look) {
     }
     if matches!(params.method, Method::StrokeMap | Method::Halftone) && params.form == Form::Literal {
         let doc = "Slope of the threshold as printed";
-        number::row(ui, Number::view("Slope", doc, ranges::SLOPE, default.slope).between(1.01, 40.0), &mut params.slope);
+        number::row(
+            ui,
+            Number::view("Slope", doc, ranges::SLOPE, default.slope).between(1.01, 40.0),
+            &mut params.slope,
+        );
     }
     if matches!(params.method, Method::Halftone | Method::Stripes) {
         let doc = "Least distance of lines on the screen; they double where there is more room";

@@ -145,7 +145,8 @@ fn family_numbers(ui: &mut Ui, name: &str, family: &mut FamilyOptions, common: &
             }
         });
     }
-    let missing: Vec<_> = common.numbers().into_iter().filter(|(key, _)| !set.iter().any(|(own, _)| own == key)).collect();
+    let missing: Vec<_> =
+        common.numbers().into_iter().filter(|(key, _)| !set.iter().any(|(own, _)| own == key)).collect();
     let shown = egui::ComboBox::from_id_salt("own").selected_text("Give it its own…").width(130.0).show_ui(ui, |ui| {
         for (key, value) in missing {
             if ui.selectable_label(false, option_name(key)).clicked() {
@@ -182,7 +183,14 @@ fn map(ui: &mut Ui, preset: &mut Preset) {
         MeasureName::MeanCoverage => "Mean coverage".to_owned(),
         MeasureName::NonPaper => "Share of inked texels".to_owned(),
     };
-    number::choice(ui, "Tone is", "How the tone of an image is measured", &mut preset.map.tone_measure, &measures, word);
+    number::choice(
+        ui,
+        "Tone is",
+        "How the tone of an image is measured",
+        &mut preset.map.tone_measure,
+        &measures,
+        word,
+    );
     ui.checkbox(&mut preset.map.tail, "Levels below the coarsest")
         .on_hover_text("Box-filtered levels down to one texel, which some engines want");
 }
@@ -207,7 +215,15 @@ fn tones(ui: &mut Ui, preset: &mut Preset) {
             let high = if column + 1 < last { list[column + 1] - 0.002 } else { 1.0 };
             let title = format!("Tone {}", column + 1);
             let default = (column + 1) as f64 / (last + 1) as f64;
-            let number = Number { name: &title, doc: "Darkness: 0 is paper, 1 solid ink", unit: "", min: low.min(high), max: high, default, whole: false };
+            let number = Number {
+                name: &title,
+                doc: "Darkness: 0 is paper, 1 solid ink",
+                unit: "",
+                min: low.min(high),
+                max: high,
+                default,
+                whole: false,
+            };
             number::row(ui, number, &mut list[column]);
         }
     }

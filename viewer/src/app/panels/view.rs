@@ -58,7 +58,8 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
         }
     }
     if response.hovered() {
-        let scroll = ui.input(|input| f64::from(input.smooth_scroll_delta().y) + 250.0 * f64::from(input.zoom_delta() - 1.0));
+        let scroll =
+            ui.input(|input| f64::from(input.smooth_scroll_delta().y) + 250.0 * f64::from(input.zoom_delta() - 1.0));
         if scroll != 0.0 {
             panel.ask(Command::SetCamera(orbit::zoomed(&panel.state.camera, scroll)));
         }
@@ -181,7 +182,8 @@ fn compare_controls(panel: &mut Panel<'_>, ui: &mut Ui) {
     });
     named(shown.response, "Method of B");
     if compare.look.params.method.takes_mapping() {
-        let combo = egui::ComboBox::from_id_salt("other mapping").selected_text(mapping_label(compare.look.params.mapping));
+        let combo =
+            egui::ComboBox::from_id_salt("other mapping").selected_text(mapping_label(compare.look.params.mapping));
         let shown = combo.width(96.0).show_ui(ui, |ui| {
             for mapping in Mapping::ALL {
                 ui.selectable_value(&mut compare.look.params.mapping, mapping, mapping_label(mapping));
@@ -259,7 +261,8 @@ fn wipe(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) -> bool {
     let Some(compare) = panel.state.document.compare.clone() else { return false };
     let x = rect.left() + rect.width() * compare.split as f32;
     let line = Rect::from_x_y_ranges(x - 6.0..=x + 6.0, rect.y_range());
-    let response = ui.interact(line, ui.scope_id().with("wipe"), Sense::drag()).on_hover_cursor(CursorIcon::ResizeHorizontal);
+    let response =
+        ui.interact(line, ui.scope_id().with("wipe"), Sense::drag()).on_hover_cursor(CursorIcon::ResizeHorizontal);
     let response = named(response, "Wipe between A and B");
     let painter = ui.painter_at(rect);
     let colour = ui.visuals().selection.bg_fill;
@@ -269,8 +272,16 @@ fn wipe(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) -> bool {
     let names = |look: &Look, name: &str| format!("{} · {}", short_method(look.params.method), name);
     let own = panel.state.preset_name();
     let other = compare.preset.as_ref().map_or(own.as_str(), |(name, _)| name.as_str());
-    text(Pos2::new(x - 12.0, rect.bottom() - 10.0), Align2::RIGHT_BOTTOM, &format!("A  {}", names(&panel.state.document.look, &own)));
-    text(Pos2::new(x + 12.0, rect.bottom() - 10.0), Align2::LEFT_BOTTOM, &format!("B  {}", names(&compare.look, other)));
+    text(
+        Pos2::new(x - 12.0, rect.bottom() - 10.0),
+        Align2::RIGHT_BOTTOM,
+        &format!("A  {}", names(&panel.state.document.look, &own)),
+    );
+    text(
+        Pos2::new(x + 12.0, rect.bottom() - 10.0),
+        Align2::LEFT_BOTTOM,
+        &format!("B  {}", names(&compare.look, other)),
+    );
     if response.dragged()
         && let Some(pointer) = response.interact_pointer_pos()
     {
@@ -285,7 +296,11 @@ fn tag(painter: &egui::Painter, ui: &Ui, at: Pos2, align: Align2, text: &str) {
     let visuals = ui.visuals();
     let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(12.0), visuals.strong_text_color());
     let rect = align.anchor_size(at, galley.size());
-    painter.rect_filled(rect.expand2(egui::vec2(6.0, 3.0)), CornerRadius::same(4), visuals.panel_fill.gamma_multiply(0.86));
+    painter.rect_filled(
+        rect.expand2(egui::vec2(6.0, 3.0)),
+        CornerRadius::same(4),
+        visuals.panel_fill.gamma_multiply(0.86),
+    );
     painter.galley(rect.min, galley, visuals.strong_text_color());
 }
 
@@ -368,7 +383,8 @@ fn draw_guide(panel: &mut Panel<'_>, ui: &Ui, rect: Rect, response: &egui::Respo
         let aspect = f64::from(rect.width() / rect.height());
         let point = pick(&mesh.mesh, &Ray::through(&panel.state.camera, at, aspect));
         let step = panel.state.camera.pixel_at_1(rect.height() as u32) * panel.state.camera.distance * 6.0;
-        if let Some(point) = point.filter(|point| panel.view.guide.last().is_none_or(|last| last.distance(*point) > step))
+        if let Some(point) =
+            point.filter(|point| panel.view.guide.last().is_none_or(|last| last.distance(*point) > step))
         {
             panel.view.guide.push(point);
         }
@@ -399,7 +415,11 @@ fn guides(panel: &Panel<'_>, ui: &Ui, rect: Rect) {
     };
     drawn.iter().for_each(|guide| line(&guide.points, Color32::from_rgb(230, 80, 50)));
     line(&panel.view.guide, Color32::from_rgb(255, 160, 60));
-    let text = if drawn.is_empty() { "Draw on the mesh: strokes follow your lines.".to_owned() } else { format!("{} drawn; Ctrl+Z takes the last one back", crate::app::words::counted(drawn.len(), "guide")) };
+    let text = if drawn.is_empty() {
+        "Draw on the mesh: strokes follow your lines.".to_owned()
+    } else {
+        format!("{} drawn; Ctrl+Z takes the last one back", crate::app::words::counted(drawn.len(), "guide"))
+    };
     tag(&painter, ui, rect.center_top() + egui::vec2(0.0, 12.0), Align2::CENTER_TOP, &text);
 }
 

@@ -117,8 +117,11 @@ fn help(panel: &mut Panel<'_>, ui: &mut Ui, actions: &[Action]) {
 }
 
 fn keys_of(ui: &mut Ui, group: Group, actions: &[Action]) {
-    let with_keys: Vec<_> =
-        actions.iter().filter(|action| action.group == group).filter_map(|action| Some((action, action.shortcut?))).collect();
+    let with_keys: Vec<_> = actions
+        .iter()
+        .filter(|action| action.group == group)
+        .filter_map(|action| Some((action, action.shortcut?)))
+        .collect();
     if with_keys.is_empty() {
         return;
     }

@@ -27,8 +27,7 @@ pub enum FieldChoice {
 
 impl FieldChoice {
     /// All kinds, in the order in which they are offered.
-    pub const ALL: [Self; 5] =
-        [Self::Curvature, Self::LowerCurvature, Self::Light, Self::Uv, Self::Constant(DVec3::Y)];
+    pub const ALL: [Self; 5] = [Self::Curvature, Self::LowerCurvature, Self::Light, Self::Uv, Self::Constant(DVec3::Y)];
 
     /// What it is called.
     pub fn label(self) -> &'static str {
@@ -99,8 +98,8 @@ impl Look {
             planar: self.planar,
             ..PatchOptions::default()
         });
-        let lapped = (needed == Some(Mapping::Lapped))
-            .then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
+        let lapped =
+            (needed == Some(Mapping::Lapped)).then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
         let stripes = (params.method == Method::Stripes)
             .then(|| StripeOptions { lines_per_unit: self.lines_per_unit, ..StripeOptions::default() });
         if patches.is_none() && lapped.is_none() && stripes.is_none() {

@@ -182,9 +182,10 @@ impl Engine {
         let stillness = if demand.moving { Stillness::Moving } else { Stillness::Still };
         let costly = results.picture.as_ref().is_some_and(|shown| shown.cost.as_secs_f64() * 1e3 > COSTLY_MS);
         // Once pictures are small they cost less; they stay small until the movement ends.
-        let small_already = self.asked.shot.as_ref().is_some_and(|(shot, before)| {
-            *before == Stillness::Moving && shot.size_px[0] < demand.size_px[0] * 3 / 4
-        });
+        let small_already =
+            self.asked.shot.as_ref().is_some_and(|(shot, before)| {
+                *before == Stillness::Moving && shot.size_px[0] < demand.size_px[0] * 3 / 4
+            });
         let small = demand.moving && (costly || small_already);
         let size_px = if small { demand.size_px.map(|side| side.div_ceil(2)) } else { demand.size_px };
         let samples = if demand.moving { 1 } else { 4 };
@@ -237,9 +238,8 @@ impl Engine {
             return side(look.params, &mesh.mesh, None);
         };
         let exact = self.made.iter().find(|made| made.request == request);
-        let serves = |made: &&MadeSurface| {
-            Arc::ptr_eq(&made.request.mesh, &request.mesh) && serves(&made.request, &request)
-        };
+        let serves =
+            |made: &&MadeSurface| Arc::ptr_eq(&made.request.mesh, &request.mesh) && serves(&made.request, &request);
         match exact.or_else(|| self.made.iter().rev().find(serves)) {
             Some(made) => side(look.params, &made.mesh, Some(Arc::clone(&made.surface))),
             None => {
@@ -362,11 +362,8 @@ impl Engine {
     /// Writes the map in the formats of the settings. `false`: something is being written already.
     pub(crate) fn export(&mut self, state: &State) -> bool {
         let settings = &state.settings.export;
-        let options = ExportOptions {
-            formats: formats(&settings.formats),
-            overwrite: settings.overwrite,
-            sheet: settings.sheet,
-        };
+        let options =
+            ExportOptions { formats: formats(&settings.formats), overwrite: settings.overwrite, sheet: settings.sheet };
         let (name, preset) = (state.preset_name(), Box::new(state.document.preset.clone()));
         self.write("Export", FileRequest::Export { name, preset, folder: settings.folder.clone(), options })
     }
@@ -436,9 +433,7 @@ fn serves(made: &SurfaceRequest, wanted: &SurfaceRequest) -> bool {
         (None, Some(_)) => false,
         (_, None) => true,
     };
-    follow
-        && (wanted.lapped.is_none() || made.lapped.is_some())
-        && (wanted.stripes.is_none() || made.stripes.is_some())
+    follow && (wanted.lapped.is_none() || made.lapped.is_some()) && (wanted.stripes.is_none() || made.stripes.is_some())
 }
 
 fn path_of(motion: Motion) -> Path {

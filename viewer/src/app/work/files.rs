@@ -114,8 +114,7 @@ fn turntable(
     let file = FrameFile::of(path)
         .ok_or_else(|| format!("{} is of no kind that frames are written to: .png or .gif", path.display()))?;
     // The dialog has asked whether it may be replaced.
-    let mut writer =
-        FrameWriter::new(&file, shot.size_px, frames, fps, true).map_err(|error| error.to_string())?;
+    let mut writer = FrameWriter::new(&file, shot.size_px, frames, fps, true).map_err(|error| error.to_string())?;
     let mut shot = shot.clone();
     for frame in 0..frames {
         if job.cancelled() {

@@ -56,12 +56,12 @@ pub(super) type MapWorker = Worker<MapRequest, MapReply>;
 
 /// Starts the worker that makes maps.
 pub(super) fn map_worker(wake: Wake) -> std::io::Result<MapWorker> {
-    let work = |generator: &mut Generator, request: MapRequest, job: &Job<'_>, reply: &dyn Fn(MapReply)| {
-        match made(generator, &request, job) {
-            Ok(made) => reply(Ok(Arc::new(made))),
-            Err(GenerateError::Cancelled) => {}
-            Err(error) => reply(Err(error.to_string())),
-        }
+    let work = |generator: &mut Generator, request: MapRequest, job: &Job<'_>, reply: &dyn Fn(MapReply)| match made(
+        generator, &request, job,
+    ) {
+        Ok(made) => reply(Ok(Arc::new(made))),
+        Err(GenerateError::Cancelled) => {}
+        Err(error) => reply(Err(error.to_string())),
     };
     let failed = |words: String| Err(format!("the map could not be made: {words}"));
     Worker::start("maps", PATIENCE, wake, Generator::new, work, failed)

@@ -109,6 +109,12 @@ impl Painter {
         self.renderer.gpu.adapter.to_string()
     }
 
+    /// Takes the device away, as a driver that is reset does.
+    #[cfg(test)]
+    pub(super) fn lose_device(&self) {
+        self.renderer.gpu.device.destroy();
+    }
+
     /// Draws a picture.
     pub(super) fn paint(&mut self, shot: &Shot) -> Result<Painted, RenderError> {
         let mut painted: Option<Painted> = None;

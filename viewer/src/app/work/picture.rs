@@ -43,7 +43,10 @@ pub(super) enum PictureReply {
     /// The adapter was opened.
     Adapter(String),
     Shown(Shown),
-    Thumbnail { key: String, image: Arc<ColorImage> },
+    Thumbnail {
+        key: String,
+        image: Arc<ColorImage>,
+    },
     /// The device went away and was opened again.
     Reopened(String),
     Failed(String),
@@ -109,4 +112,34 @@ impl Studio {
 fn color_image(image: &RgbaImage) -> ColorImage {
     let size = [image.width() as usize, image.height() as usize];
     ColorImage::from_rgba_unmultiplied(size, image)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+
+    use tam_gen::Preset;
+
+    use super::super::thumbnails::Subject;
+    use super::*;
+
+    #[test]
+    fn a_device_that_went_away_is_opened_again_and_the_picture_is_drawn() {
+        let mut studio = Studio::default();
+        let replies = RefCell::new(Vec::new());
+        let request = |key: &str| {
+            let of = Subject::Preset(Box::new(Preset::default()));
+            PictureRequest::Thumbnail(ThumbnailRequest { key: key.to_owned(), of })
+        };
+        studio.serve(request("before"), &Job::default(), &|reply| replies.borrow_mut().push(reply));
+        studio.painter.as_ref().expect("it is open").lose_device();
+        studio.serve(request("after"), &Job::default(), &|reply| replies.borrow_mut().push(reply));
+        let replies = replies.into_inner();
+        let drawn = |wanted: &str| {
+            replies.iter().any(|reply| matches!(reply, PictureReply::Thumbnail { key, .. } if key == wanted))
+        };
+        assert!(drawn("before") && drawn("after"));
+        assert!(replies.iter().any(|reply| matches!(reply, PictureReply::Reopened(_))));
+        assert!(!replies.iter().any(|reply| matches!(reply, PictureReply::Failed(_))));
+    }
 }

@@ -48,7 +48,9 @@ pub(super) fn surface_worker(wake: Wake) -> std::io::Result<SurfaceWorker> {
             None => Arc::clone(&request.mesh),
         };
         match Surface::new_with(&mesh, &request.options, job) {
-            Ok(surface) => reply(SurfaceReply::Made(Box::new(MadeSurface { request, mesh, surface: Arc::new(surface) }))),
+            Ok(surface) => {
+                reply(SurfaceReply::Made(Box::new(MadeSurface { request, mesh, surface: Arc::new(surface) })))
+            }
             Err(SurfaceError::Cancelled) => {}
             Err(error) => {
                 let words = format!("strokes cannot follow this mesh: {error}");

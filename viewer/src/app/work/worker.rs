@@ -222,7 +222,7 @@ mod tests {
             Duration::ZERO,
             quiet(),
             || (),
-            |(), fails, _, reply| {
+            |(), fails: bool, _, reply| {
                 assert!(!fails, "as asked for");
                 reply(Ok(()));
             },

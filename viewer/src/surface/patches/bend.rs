@@ -29,9 +29,9 @@ impl Bend {
         if options.follow == Follow::Light {
             return straight;
         }
-        // The cell of the seed counts most; areas, so that dense places do not count more.
+        // The cell of the seed counts, where the patch is drawn alone; areas, so that dense places do not count more.
         let weight = |visit: &Visit| {
-            let near = 1.0 - (visit.radius / (1.3 * spacing)).powi(2);
+            let near = 1.0 - (visit.radius / spacing).powi(2);
             near.max(0.0) * graph.areas[visit.node as usize] * field.strengths[visit.node as usize].max(1e-3)
         };
         let doubled = |visit: &Visit| 2.0 * (field.angles_rad[visit.node as usize] + visit.turn_rad);

@@ -62,9 +62,10 @@ impl Default for PatchOptions {
 }
 
 impl PatchOptions {
-    /// Length of edges, in mesh units, above which patches are coarse.
+    /// Length of edges, in mesh units, above which patches are coarse. Where the surface bends they stand up to
+    /// `greatest_density` times closer than the spacing, so that even there two or three edges lie between seeds.
     pub fn longest_edge(&self) -> f64 {
-        self.spacing_tiles / self.tiles_per_unit / 3.0
+        self.spacing_tiles / self.tiles_per_unit / 6.0
     }
 }
 
