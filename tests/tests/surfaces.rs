@@ -178,7 +178,7 @@ fn the_mean_ink_of_a_flat_square_is_the_tone_that_was_wanted() {
             let (subject, mut scene) = flat(method, mapping, 6.0);
             let mut row = format!("{:<10} {:<8}", method.name(), mapping.name());
             let mut worst: f64 = 0.0;
-            for darkness in [0.1, 0.25, 0.4, 0.55, 0.7] {
+            for darkness in [0.1, 0.4, 0.7] {
                 scene.lights = Lights { ambient: 1.0 - darkness, lights: Vec::new() };
                 let bias = subject.shoot(&mut stage, &scene).measures.tone.expect("it is seen").ink.bias;
                 worst = worst.max(bias.abs());
@@ -192,7 +192,7 @@ fn the_mean_ink_of_a_flat_square_is_the_tone_that_was_wanted() {
         }
     }
     let mut out = std::io::stdout();
-    out.write_all(format!("bias at darkness 0.1, 0.25, 0.4, 0.55, 0.7\n{table}").as_bytes()).expect("a table");
+    out.write_all(format!("bias at darkness 0.1, 0.4, 0.7\n{table}").as_bytes()).expect("a table");
     assert!(failures.is_empty(), "\n{}", failures.concat());
 }
 
