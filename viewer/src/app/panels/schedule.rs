@@ -21,7 +21,9 @@ pub(super) fn show(ui: &mut Ui, preset: &mut Preset) {
                 for entry in 0..shown {
                     let is_on = preset.schedule[entry].split_whitespace().any(|family| family == name);
                     let mut on = is_on;
-                    let response = ui.add(egui::Checkbox::without_text(&mut on));
+                    // An entry always keeps one family.
+                    let alone = is_on && preset.schedule[entry].split_whitespace().count() == 1;
+                    let response = ui.add_enabled(!alone, egui::Checkbox::without_text(&mut on));
                     let (enabled, title) = (response.enabled(), format!("Family {name} in entry {}", entry + 1));
                     response.widget_info(|| egui::WidgetInfo::selected(egui::Role::CheckBox, enabled, on, &title));
                     if on != is_on {
