@@ -53,7 +53,6 @@ fn new_material(window: &mut Window) {
 fn windows_in_three_sizes_dark_and_light() {
     let mut window = Window::open([1280.0, 720.0], None);
     window.settle();
-    save(&mut window, "app-start-1280.png");
     new_material(&mut window);
     save(&mut window, "app-hand-1280.png");
 
@@ -81,15 +80,10 @@ fn windows_in_three_sizes_dark_and_light() {
     window.run(Command::ShowPane(Pane::Checks));
     window.run(Command::ShowPane(Pane::Export));
     save(&mut window, "app-compare-2560.png");
-
-    let mut window = Window::open([1280.0, 720.0], None);
-    window.settle();
-    window.run(Command::ShowDialog(Some(tam_viewer::app::Dialog::Help)));
-    save(&mut window, "app-help-1280.png");
 }
 
 /// Width of the recording's frames.
-const RECORDED: [u32; 2] = [720, 450];
+const RECORDED: [u32; 2] = [640, 400];
 
 #[test]
 #[ignore = "draws the pictures of the front page"]

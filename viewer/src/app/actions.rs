@@ -295,6 +295,13 @@ fn windows(state: &State, all: &mut Vec<Action>) {
     list.add("About", None, Command::ShowDialog(Some(Dialog::About)));
 }
 
+/// Keys as they are printed on a keyboard.
+pub(crate) fn keys_in_words(ctx: &egui::Context, keys: &KeyboardShortcut) -> String {
+    let words = ctx.format_shortcut(keys);
+    let signs = [("OpenBracket", "["), ("CloseBracket", "]"), ("Plus", "+"), ("Minus", "-")];
+    signs.into_iter().fold(words, |words, (word, sign)| words.replace(word, sign))
+}
+
 /// What a method is called.
 pub(crate) fn method_label(method: Method) -> &'static str {
     match method {

@@ -12,7 +12,7 @@ use super::state::{
 use crate::Camera;
 use crate::scene::{Lights, Material};
 
-/// One request. Panels push these; [`apply`](super::apply::apply) carries them out.
+/// One request. Panels push these; `apply` carries them out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Change the preset.

@@ -4,7 +4,7 @@
 //! panels ─► Command ─► apply ─► State ─► Engine (workers) ─► Results ─► panels
 //! ```
 //!
-//! Panels are functions of the state that push commands; [`apply`](apply::apply) is the one place where state changes.
+//! Panels are functions of the state that push commands; `apply` is the one place where state changes.
 //! Workers make maps, surfaces and pictures beside the window, which never waits; the newest request wins. The device that
 //! draws is not the window's: if it is lost, the window stays.
 

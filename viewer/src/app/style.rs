@@ -45,6 +45,7 @@ fn dress(style: &mut Style, shade: Shade) {
             visuals.selection.stroke = Stroke::new(1.0, grey(250));
             visuals.widgets.noninteractive.fg_stroke.color = grey(190);
             visuals.widgets.inactive.fg_stroke.color = grey(205);
+            visuals.widgets.inactive.bg_stroke = Stroke::new(1.0, grey(74));
         }
         Shade::Light => {
             visuals.panel_fill = grey(240);
@@ -55,6 +56,7 @@ fn dress(style: &mut Style, shade: Shade) {
             visuals.selection.stroke = Stroke::new(1.0, grey(10));
             visuals.widgets.noninteractive.fg_stroke.color = grey(55);
             visuals.widgets.inactive.fg_stroke.color = grey(40);
+            visuals.widgets.inactive.bg_stroke = Stroke::new(1.0, grey(176));
         }
     }
     let corner = CornerRadius::same(4);

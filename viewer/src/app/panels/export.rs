@@ -28,7 +28,7 @@ fn map(panel: &mut Panel<'_>, ui: &mut Ui) {
     for format in Format::ALL {
         let mut on = settings.formats.iter().any(|name| name == format.name());
         let (title, engines) = split(format);
-        let response = ui.checkbox(&mut on, title).on_hover_text(format.describe());
+        let response = ui.checkbox(&mut on, capitalised(title)).on_hover_text(format.describe());
         if response.changed() {
             settings.formats.retain(|name| name != format.name());
             if on {
@@ -65,6 +65,11 @@ fn map(panel: &mut Panel<'_>, ui: &mut Ui) {
 /// What a format is, and which engines it is for.
 fn split(format: Format) -> (&'static str, &'static str) {
     format.describe().split_once(": ").unwrap_or((format.describe(), ""))
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// About how large the files will be, in bytes.

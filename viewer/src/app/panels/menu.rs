@@ -3,7 +3,7 @@
 use egui::{Button, MenuBar, Ui};
 
 use super::Panel;
-use crate::app::actions::{Action, Group};
+use crate::app::actions::{Action, Group, keys_in_words};
 use crate::app::command::Command;
 
 /// The bar with all menus.
@@ -26,7 +26,7 @@ pub(crate) fn menu_bar(panel: &mut Panel<'_>, ui: &mut Ui, actions: &[Action]) {
 }
 
 fn item(panel: &mut Panel<'_>, ui: &mut Ui, action: &Action) {
-    let keys = action.shortcut.map_or_else(String::new, |keys| ui.ctx().format_shortcut(&keys));
+    let keys = action.shortcut.map_or_else(String::new, |keys| keys_in_words(ui.ctx(), &keys));
     let button = Button::new(action.name.as_str()).shortcut_text(keys).selected(action.on == Some(true));
     if ui.add_enabled((panel.can)(action), button).clicked() {
         panel.ask(action.command.clone());

@@ -67,9 +67,12 @@ pub(super) fn slider(ui: &mut Ui, number: Number<'_>, value: &mut f64, label: &R
     let Number { unit, min, max, whole, .. } = number;
     let free = ui.available_width() - NUMBER_WIDTH;
     ui.spacing_mut().slider_width = free.max(40.0);
+    // All numbers are equally wide, so that what follows them stands in line.
+    ui.spacing_mut().interact_size.x = 58.0;
     let logarithmic = min >= 0.0 && max > 90.0 * min.max(0.02) && max > 2.0;
     let suffix = match unit {
-        "" | "tile" | "candidates" | "tile lengths" | "tip lengths" | "tiles per unit" | "lines per unit" => "",
+        "" | "tile" | "candidates" | "tile lengths" | "tip lengths" | "tiles per unit" | "lines per unit"
+        | "levels" => "",
         "degrees" => "°",
         unit => unit,
     };

@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers, RichText, TextEdit, Ui};
 
 use super::Panel;
-use crate::app::actions::Action;
+use crate::app::actions::{Action, keys_in_words};
 use crate::app::command::Command;
 use crate::app::state::Dialog;
 
@@ -40,7 +40,7 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, typed: &str, actions: &[A
     let mut run = None;
     egui::ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
         for (index, action) in found.iter().enumerate() {
-            let keys = action.shortcut.map_or_else(String::new, |keys| ui.ctx().format_shortcut(&keys));
+            let keys = action.shortcut.map_or_else(String::new, |keys| keys_in_words(ui.ctx(), &keys));
             let group = action.group.title();
             let button = egui::Button::new(&action.name)
                 .right_text(RichText::new(if keys.is_empty() { group.to_owned() } else { keys }).weak())

@@ -4,7 +4,7 @@ use egui::{Context, Id, Key, Modal, RichText, Ui};
 
 use super::Panel;
 use super::palette;
-use crate::app::actions::{Action, Group};
+use crate::app::actions::{Action, Group, keys_in_words};
 use crate::app::command::Command;
 use crate::app::state::{Dialog, Navigation};
 
@@ -129,7 +129,7 @@ fn keys_of(ui: &mut Ui, group: Group, actions: &[Action]) {
     egui::Grid::new(group.title()).spacing([12.0, 2.0]).show(ui, |ui| {
         for (action, keys) in with_keys {
             ui.label(&action.name);
-            ui.label(RichText::new(ui.ctx().format_shortcut(&keys)).monospace().weak());
+            ui.label(RichText::new(keys_in_words(ui.ctx(), &keys)).monospace().weak());
             ui.end_row();
         }
     });

@@ -18,7 +18,7 @@ pub use transient::{CellView, Dialog, MapTab, Motion, Notice, Severity, Tool, Tr
 
 use crate::Camera;
 
-/// All state. Panels read it; [`apply`](super::apply::apply) alone changes it.
+/// All state. Panels read it; `apply` alone changes it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct State {

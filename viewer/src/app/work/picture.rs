@@ -118,8 +118,6 @@ fn color_image(image: &RgbaImage) -> ColorImage {
 mod tests {
     use std::cell::RefCell;
 
-    use tam_gen::Preset;
-
     use super::super::thumbnails::Subject;
     use super::*;
 
@@ -128,7 +126,7 @@ mod tests {
         let mut studio = Studio::default();
         let replies = RefCell::new(Vec::new());
         let request = |key: &str| {
-            let of = Subject::Preset(Box::new(Preset::default()));
+            let of = Subject::Preset(Box::default());
             PictureRequest::Thumbnail(ThumbnailRequest { key: key.to_owned(), of })
         };
         studio.serve(request("before"), &Job::default(), &|reply| replies.borrow_mut().push(reply));
