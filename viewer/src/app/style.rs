@@ -9,6 +9,8 @@ const ACCENT: Color32 = Color32::from_rgb(74, 132, 220);
 
 /// Sets up both themes; done once.
 pub(crate) fn install(ctx: &Context) {
+    // The size of the interface is a setting, with keys of its own.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
     for shade in [Shade::Dark, Shade::Light] {
         ctx.style_mut_of(shade, |style| dress(style, shade));
     }

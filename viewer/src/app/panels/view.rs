@@ -9,7 +9,7 @@ use super::orbit::{self, Drag};
 use crate::app::actions::{debug_label, mapping_label, method_label};
 use crate::app::command::Command;
 use crate::app::pick::{Ray, pick};
-use crate::app::state::{Compare, Look, Motion, Tool};
+use crate::app::state::{Compare, Look, Motion, PresetSource, Tool};
 use crate::params::DebugView;
 use crate::surface::Guide;
 use crate::{Camera, Mapping, Method};
@@ -202,6 +202,17 @@ fn compare_controls(panel: &mut Panel<'_>, ui: &mut Ui) {
                 && let Some(Ok(preset)) = tam_gen::Preset::named(name)
             {
                 compare.preset = Some(((*name).to_owned(), preset));
+            }
+        }
+        for path in &panel.state.settings.recent_presets {
+            let name = PresetSource::File(path.clone()).name();
+            let chosen = compare.preset.as_ref().is_some_and(|(other, _)| *other == name);
+            if ui.selectable_label(chosen, &name).on_hover_text(path.display().to_string()).clicked() {
+                match tam_gen::Preset::load(path) {
+                    Ok(preset) => compare.preset = Some((name, preset)),
+                    // What is wrong with it is told where it is opened.
+                    Err(_) => panel.commands.push(Command::OpenPreset(Some(path.clone()))),
+                }
             }
         }
     });

@@ -157,14 +157,17 @@ impl Engine {
     fn follow_surfaces(&mut self, state: &State, demand: Demand, mesh: &LoadedMesh, results: &mut Results) {
         let looks = looks(state, mesh);
         let wanted = looks.iter().filter_map(|look| surface_request(look, state, mesh));
-        let missing = wanted.filter(|request| !self.made.iter().any(|made| made.request == *request));
-        let missing = missing.filter(|request| !self.refused.contains(request));
+        let is_missing = |request: &SurfaceRequest| !self.made.iter().any(|made| made.request == *request);
+        let (refused, missing): (Vec<_>, Vec<_>) =
+            wanted.filter(is_missing).partition(|request| self.refused.contains(request));
+        if refused.is_empty() {
+            results.surface_problem = None;
+        }
         let Some(request) = missing.into_iter().next() else {
             if self.surfaces.is_busy() {
                 self.surfaces.cancel();
             }
             self.asked.surface = None;
-            results.surface_problem = None;
             return;
         };
         // While a slider moves, every surface would be outdated before it is made.

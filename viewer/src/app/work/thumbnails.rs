@@ -23,8 +23,8 @@ const TRIANGLES: usize = 3000;
 /// Side of the map of a preset's thumbnail, in texels.
 const MAP_PX: u32 = 128;
 
-/// Triangles of a file that is drawn as a thumbnail, at most.
-const FILE_TRIANGLES: usize = 300_000;
+/// Size of a file that is drawn as a thumbnail, at most, in bytes: larger ones take too long for what is seen of them.
+const FILE_BYTES: u64 = 48 << 20;
 
 #[derive(Clone, Debug)]
 pub(super) struct ThumbnailRequest {
@@ -92,11 +92,9 @@ impl Thumbnails {
     fn mesh(&mut self, source: &MeshSource) -> Option<Side> {
         let mesh = match source {
             MeshSource::Sample(sample, _) => prepare(sample.build(TRIANGLES)).ok()?.mesh,
+            MeshSource::File(path) if std::fs::metadata(path).ok()?.len() > FILE_BYTES => return None,
             MeshSource::File(path) => load(path).ok()?.mesh,
         };
-        if mesh.triangles.len() > FILE_TRIANGLES {
-            return None;
-        }
         let map = match &self.plain {
             Some(map) => Arc::clone(map),
             None => {
