@@ -489,3 +489,69 @@ fn guides_are_drawn_with_the_mouse_and_strokes_follow_them() {
     assert!(guides[0].points.len() >= 5, "{guides:?}");
     assert!(difference(&before, &picture(&window)) > 0.05);
 }
+
+#[test]
+fn the_window_asks_before_changes_are_lost() {
+    let mut window = Window::ready();
+    let mut preset = window.app().state().document.preset.clone();
+    preset.seed = 77;
+    window.run(Command::SetPreset(Box::new(preset.clone())));
+    for (answer, kept) in [("Cancel", true), ("Discard", false)] {
+        window.harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::N);
+        window.harness.run_steps(2);
+        window.harness.get_by_role_and_label(egui::accesskit::Role::Button, answer).click();
+        window.harness.run_steps(2);
+        window.settle();
+        let state = window.app().state();
+        assert_eq!(state.document.preset == preset, kept, "{answer}");
+        assert!(state.transient.dialog.is_none());
+    }
+    assert_eq!(window.app().state().preset_name(), "untitled");
+}
+
+#[test]
+fn commands_are_found_by_typing() {
+    let mut window = Window::ready();
+    window.harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
+    window.harness.run_steps(2);
+    window.harness.event(egui::Event::Text("wirefr".to_owned()));
+    window.harness.run_steps(2);
+    window.harness.key_press(egui::Key::Enter);
+    window.harness.run_steps(2);
+    window.settle();
+    assert!(window.app().state().document.look.params.wireframe.is_some());
+    assert!(window.app().state().transient.dialog.is_none());
+}
+
+#[test]
+fn a_preset_that_another_program_changes_is_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("mine.toml");
+    let mut window = Window::ready();
+    window.run(Command::SaveAs(Some(path.clone())));
+    let mut changed = window.app().state().document.preset.clone();
+    changed.stroke.width_px = 6.5;
+    std::fs::write(&path, changed.to_toml()).expect("a writable folder");
+    let start = std::time::Instant::now();
+    while window.app().state().document.preset != changed {
+        assert!(start.elapsed().as_secs() < 20, "the change is never seen");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+        window.harness.step();
+    }
+    window.settle();
+    assert!(!window.app().state().is_unsaved());
+    assert_eq!(window.app().results().map.as_ref().expect("a map").preset, changed);
+}
+
+#[test]
+fn views_are_filled_to_their_pixels_at_any_size_of_the_interface() {
+    let mut window = Window::ready();
+    for zoom in [1.0, 1.5, 2.0] {
+        window.run(Command::SetZoom(zoom));
+        let size = window.app().results().picture.as_ref().expect("a picture").image.size;
+        let view = window.harness.get_by_label("Picture of the mesh").rect();
+        for (pixels, points) in size.into_iter().zip([view.width(), view.height()]) {
+            assert!((pixels as f32 - points * zoom).abs() <= 1.0, "{zoom}: {size:?} {view:?}");
+        }
+    }
+}

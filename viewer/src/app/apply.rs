@@ -9,7 +9,7 @@ use super::command::Command;
 use super::history::History;
 use super::layout::{Pane, default_layout};
 use super::randomise::randomised;
-use super::state::{Dialog, Document, MeshSource, Notice, PresetSource, Severity, State};
+use super::state::{Dialog, Document, MeshBefore, MeshSource, Notice, PresetSource, Severity, State};
 use crate::surface::guides;
 
 /// State with its past and its panels.
@@ -76,6 +76,15 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
         Command::SetLights(lights) => state.document.lights = lights,
         Command::SetMaterials(materials) => state.document.materials = materials,
         Command::SetMesh(mesh) => set_mesh(state, mesh),
+        Command::KeepMesh => match state.transient.mesh_before.take() {
+            Some(MeshBefore { mesh, materials, guides }) => {
+                state.document.mesh = mesh;
+                state.document.materials = materials;
+                state.document.look.guides = guides;
+                state.transient.frame_mesh = false;
+            }
+            None => set_mesh(state, MeshSource::default()),
+        },
         Command::SetCompare(compare) => state.document.compare = compare.map(|compare| *compare),
         Command::Randomise => {
             state.transient.randomised += 1;
@@ -235,9 +244,13 @@ fn discard(model: &mut Model, command: Command) -> Vec<Effect> {
 /// Shows a mesh from where it is seen whole, with its own materials.
 fn set_mesh(state: &mut State, mesh: MeshSource) {
     if state.document.mesh != mesh {
-        state.document.mesh = mesh;
-        state.document.materials.clear();
-        state.document.look.guides.clear();
+        let document = &mut state.document;
+        let before = MeshBefore {
+            mesh: std::mem::replace(&mut document.mesh, mesh),
+            materials: std::mem::take(&mut document.materials),
+            guides: std::mem::take(&mut document.look.guides),
+        };
+        state.transient.mesh_before = Some(before);
         state.transient.frame_mesh = true;
         state.transient.motion = None;
     }

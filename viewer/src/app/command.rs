@@ -25,6 +25,8 @@ pub enum Command {
     SetMaterials(Vec<Material>),
     /// Show another mesh.
     SetMesh(MeshSource),
+    /// Go back to the mesh before this one, which could not be loaded.
+    KeepMesh,
     /// Compare with another look or preset, or no longer.
     SetCompare(Option<Box<Compare>>),
     /// Change every stroke number that is not locked.

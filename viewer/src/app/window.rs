@@ -178,7 +178,12 @@ impl App {
             tracing::info!("first picture after {:.2} s", started.elapsed().as_secs_f64());
         }
         let mut commands: Vec<Command> = self.asker.answers().collect();
-        commands.extend(back.map(Command::SetMesh));
+        let state = &mut self.model.state;
+        if self.results.mesh.as_ref().is_some_and(|mesh| mesh.source == state.document.mesh) {
+            state.transient.mesh_before = None;
+        } else if back {
+            commands.push(Command::KeepMesh);
+        }
         if self.watch.changed() {
             commands.extend(self.changed_on_disk());
         }

@@ -89,6 +89,8 @@ fn another_mesh_leaves_what_belongs_to_the_last_one() {
     apply(&mut model, Command::SetMesh(mesh.clone()));
     assert_eq!(model.state.document.mesh, mesh);
     assert!(model.state.document.materials.is_empty() && model.state.transient.frame_mesh);
+    apply(&mut model, Command::KeepMesh);
+    assert_eq!((&model.state.document.mesh, model.state.document.materials.len()), (&MeshSource::default(), 3));
     let path = PathBuf::from("nowhere.obj");
     assert!(apply(&mut model, Command::OpenMesh(Some(path.clone()))).is_empty());
     assert_eq!(apply(&mut model, Command::OpenMesh(Some(path.clone()))), [Effect::ReloadMesh]);

@@ -14,7 +14,7 @@ use tam_gen::Preset;
 pub use document::{Compare, Document, MeshSource, PresetSource};
 pub use look::{FieldChoice, Look};
 pub use settings::{ExportSettings, Navigation, PictureSettings, Settings, Theme, TurntableSettings};
-pub use transient::{CellView, Dialog, MapTab, Motion, Notice, Severity, Tool, Transient};
+pub use transient::{CellView, Dialog, MapTab, MeshBefore, Motion, Notice, Severity, Tool, Transient};
 
 use crate::Camera;
 

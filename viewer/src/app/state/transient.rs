@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
+use super::document::MeshSource;
 use crate::mesh::deform::Deform;
+use crate::scene::Material;
+use crate::surface::Guide;
 
 /// What is open, chosen and playing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,8 +26,21 @@ pub struct Transient {
     pub randomised: u64,
     /// Whether the camera is to be set to show the whole mesh once it is there.
     pub frame_mesh: bool,
+    /// Mesh, materials and guides before the mesh that is being loaded.
+    pub mesh_before: Option<MeshBefore>,
     /// Whether the window may close without a question.
     pub may_close: bool,
+}
+
+/// What goes with a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshBefore {
+    /// The mesh.
+    pub mesh: MeshSource,
+    /// The materials of its objects.
+    pub materials: Vec<Material>,
+    /// The guides drawn on it.
+    pub guides: Vec<Guide>,
 }
 
 /// What the map panel shows.

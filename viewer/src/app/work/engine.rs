@@ -16,11 +16,15 @@ use super::surface::{MadeSurface, SurfaceReply, SurfaceRequest, SurfaceWorker, s
 use super::thumbnails::{Subject, ThumbnailRequest, linear_colours};
 use super::worker::Wake;
 use crate::app::state::{Compare, Look, MeshSource, Motion, Notice, Severity, State};
+use crate::app::words;
 use crate::turntable::Path;
 use crate::{Mapping, Method, Scene};
 
 /// Surfaces that are kept, so that switching back is at once.
 const SURFACES: usize = 6;
+
+/// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
+const SURFACE_TRIANGLES: usize = 2_000_000;
 
 /// A frame that costs more than this on the device is drawn at half its size while something moves, in milliseconds.
 const COSTLY_MS: f64 = 45.0;
@@ -49,6 +53,8 @@ pub(crate) struct Engine {
     /// Surfaces that cannot be made are not asked for again.
     refused: Vec<SurfaceRequest>,
     writing: Option<String>,
+    /// Messages for the next time that replies are collected.
+    told: Vec<Notice>,
 }
 
 /// What was last asked for.
@@ -80,6 +86,7 @@ impl Engine {
             other_map: None,
             refused: Vec::new(),
             writing: None,
+            told: Vec::new(),
         })
     }
 
@@ -162,6 +169,17 @@ impl Engine {
             wanted.filter(is_missing).partition(|request| self.refused.contains(request));
         if refused.is_empty() {
             results.surface_problem = None;
+        }
+        if mesh.mesh.triangles.len() > SURFACE_TRIANGLES && !missing.is_empty() {
+            let problem = format!(
+                "Strokes follow meshes of up to {}; this one has {} and is drawn with three planes instead.",
+                words::counted(SURFACE_TRIANGLES, "triangle"),
+                words::grouped(mesh.mesh.triangles.len())
+            );
+            self.told.push(Notice { severity: Severity::Warning, text: problem.clone() });
+            results.surface_problem = Some(problem);
+            self.refused.extend(missing);
+            return;
         }
         let Some(request) = missing.into_iter().next() else {
             if self.surfaces.is_busy() {
@@ -256,12 +274,11 @@ impl Engine {
         }
     }
 
-    /// Takes what workers have made; returns what the user should know, and the mesh to go back to where one could not be
-    /// loaded.
-    pub(crate) fn collect(&mut self, results: &mut Results) -> (Vec<Notice>, Option<MeshSource>) {
-        let mut notices = Vec::new();
+    /// Takes what workers have made; returns what the user should know, and whether the mesh asked for could not be loaded.
+    pub(crate) fn collect(&mut self, results: &mut Results) -> (Vec<Notice>, bool) {
+        let mut notices = std::mem::take(&mut self.told);
         let mut notice = |severity, text: String| notices.push(Notice { severity, text });
-        let mut back = None;
+        let mut back = false;
         for reply in self.maps.replies() {
             match reply {
                 Ok(made) => {
@@ -296,7 +313,9 @@ impl Engine {
                 Err(problem) => {
                     notice(Severity::Error, problem);
                     if self.asked.mesh.as_ref() == Some(&reply.source) {
-                        back = Some(results.mesh.as_ref().map_or_else(MeshSource::default, |mesh| mesh.source.clone()));
+                        // What is shown needs not be loaded again.
+                        self.asked.mesh = results.mesh.as_ref().map(|mesh| mesh.source.clone());
+                        back = true;
                     }
                 }
             }
