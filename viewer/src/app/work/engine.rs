@@ -26,7 +26,8 @@ const SURFACES: usize = 6;
 /// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
 const SURFACE_TRIANGLES: usize = 2_000_000;
 
-/// A frame that costs more than this on the device is drawn at half its size while something moves, in milliseconds.
+/// Where a picture to be looked at costs more than this on the device, in milliseconds, those that only pass are drawn at half
+/// its size.
 const COSTLY_MS: f64 = 45.0;
 
 /// What the view is like at the moment.
@@ -53,6 +54,8 @@ pub(crate) struct Engine {
     /// Surfaces that cannot be made are not asked for again.
     refused: Vec<SurfaceRequest>,
     writing: Option<String>,
+    /// What the last picture cost that was to be looked at, in milliseconds.
+    still_cost_ms: f64,
     /// Messages for the next time that replies are collected.
     told: Vec<Notice>,
 }
@@ -86,6 +89,7 @@ impl Engine {
             other_map: None,
             refused: Vec::new(),
             writing: None,
+            still_cost_ms: 0.0,
             told: Vec::new(),
         })
     }
@@ -200,17 +204,22 @@ impl Engine {
         if demand.size_px.contains(&0) {
             return;
         }
-        let stillness = if demand.moving { Stillness::Moving } else { Stillness::Still };
-        let costly = results.picture.as_ref().is_some_and(|shown| shown.cost.as_secs_f64() * 1e3 > COSTLY_MS);
-        // Once pictures are small they cost less; they stay small until the movement ends.
-        let small_already =
-            self.asked.shot.as_ref().is_some_and(|(shot, before)| {
-                *before == Stillness::Moving && shot.size_px[0] < demand.size_px[0] * 3 / 4
-            });
-        let small = demand.moving && (costly || small_already);
-        let size_px = if small { demand.size_px.map(|side| side.div_ceil(2)) } else { demand.size_px };
-        let samples = if demand.moving { 1 } else { 4 };
-        let Some(shot) = self.shot(state, mesh, map, size_px, samples) else { return };
+        let Some(mut shot) = self.shot(state, mesh, map, demand.size_px, 4) else { return };
+        let costly = self.still_cost_ms > COSTLY_MS;
+        let changed = self.asked.shot.as_ref().is_none_or(|(asked, _)| !asked.shows_same(&shot));
+        let asked_moving = self.asked.shot.as_ref().is_some_and(|(_, stillness)| *stillness == Stillness::Moving);
+        // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
+        let moving = demand.moving || (costly && changed);
+        if !moving && asked_moving && self.pictures.is_busy() {
+            return;
+        }
+        let stillness = if moving { Stillness::Moving } else { Stillness::Still };
+        if moving {
+            shot.samples = 1;
+        }
+        if moving && costly {
+            shot.size_px = demand.size_px.map(|side| side.div_ceil(2));
+        }
         if self.asked.shot.as_ref().is_none_or(|(asked, _)| *asked != shot) {
             self.asked.shot = Some((shot.clone(), stillness));
             self.pictures.request(PictureRequest::View(Box::new(shot), stillness));
@@ -338,7 +347,12 @@ impl Engine {
         for reply in self.pictures.replies() {
             match reply {
                 PictureReply::Adapter(adapter) => results.adapter = Some(adapter),
-                PictureReply::Shown(shown) => (results.picture, results.picture_problem) = (Some(shown), None),
+                PictureReply::Shown(shown) => {
+                    if shown.stillness == Stillness::Still {
+                        self.still_cost_ms = shown.cost.as_secs_f64() * 1e3;
+                    }
+                    (results.picture, results.picture_problem) = (Some(shown), None);
+                }
                 PictureReply::Thumbnail { key, image } => {
                     results.thumbnails.insert(key, Thumbnail(image));
                 }

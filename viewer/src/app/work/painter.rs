@@ -58,8 +58,15 @@ impl PartialEq for Side {
 
 impl PartialEq for Shot {
     fn eq(&self, other: &Self) -> bool {
-        let own = (self.size_px, self.samples, &self.scene, self.pose, &self.sides, self.split);
-        own == (other.size_px, other.samples, &other.scene, other.pose, &other.sides, other.split)
+        (self.size_px, self.samples) == (other.size_px, other.samples) && self.shows_same(other)
+    }
+}
+
+impl Shot {
+    /// Whether it shows the same, at whatever size and number of samples.
+    pub(super) fn shows_same(&self, other: &Self) -> bool {
+        let own = (&self.scene, self.pose, &self.sides, self.split);
+        own == (&other.scene, other.pose, &other.sides, other.split)
     }
 }
 
