@@ -6,6 +6,7 @@ use std::io::Write;
 use glam::DVec3;
 use tam_tests::gpu::{Stage, light_from, nan_count, surface_for};
 use tam_tests::measure::{Shot, Subject, pen_stage};
+use tam_viewer::measure::{Plane, run_length};
 use tam_viewer::mesh::prepare;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::surface::{FieldSource, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions};
@@ -71,7 +72,7 @@ fn check(counts: &[usize]) {
                 if method == Method::Stripes {
                     unbroken_px = px;
                 }
-                if deg > most_deg(sample, method) || px < 0.55 * unbroken_px || tone.bias.abs() > 0.004 {
+                if deg > most_deg(sample, method) || px < 0.59 * unbroken_px || tone.bias.abs() > 0.004 {
                     failures.push(row.clone());
                 }
                 table += &row;
@@ -93,6 +94,32 @@ fn strokes_follow_the_form_in_whole_strokes() {
 #[ignore = "a hand and a head of 200,000 triangles take a minute"]
 fn strokes_follow_the_form_on_fine_meshes_too() {
     check(&[200_000]);
+}
+
+/// In one tone, so that nothing but form and contour ends a line; the flat square below has the same tone and scale. As
+/// much as there is to run on comes with the figures: lines around a finger are no longer than it is wide.
+#[test]
+fn strokes_in_one_tone_run_far() {
+    let mut stage = pen_stage(SIZE);
+    let (mut table, mut failures) = (String::new(), Vec::new());
+    for (sample, patches_px) in [(Sample::Hand, 75.0), (Sample::Head, 110.0)] {
+        for (method, least_px) in [(Method::FineTone, patches_px), (Method::Stripes, 180.0)] {
+            let subject = subject(sample, 20_000, method);
+            let mut scene = lit(&subject);
+            scene.lights = Lights { ambient: 0.7, lights: Vec::new() };
+            let Shot { aov, measures, .. } = subject.shoot(&mut stage, &scene);
+            let solid = Plane::from_fn(aov.size, |_, _| 1.0);
+            let [px, possible_px] =
+                [measures.run_length, run_length(&solid, &aov)].map(|run| run.mean_px.expect("strokes"));
+            let row = format!("{:<5} {:<10} {px:>6.1} px of {possible_px:>6.1} px\n", sample.name(), method.name());
+            if px < least_px {
+                failures.push(row.clone());
+            }
+            table += &row;
+        }
+    }
+    std::io::stdout().write_all(table.as_bytes()).expect("a table");
+    assert!(failures.is_empty(), "\n{}", failures.concat());
 }
 
 #[test]
