@@ -6,6 +6,7 @@ use tam_shaders::cpu::{self, MapImage, Options, StripeTable};
 use tam_shaders::{Pass, types};
 use tam_tests::gpu::{Stage, front_camera, light_from, mappings, surface_for};
 use tam_viewer::gpu::GpuMap;
+use tam_viewer::maps::tone_table;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
@@ -57,7 +58,7 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
                 pass: Pass::StrokeMap,
                 map: thresholds(strokes),
                 tones: vec![1.0],
-                distribution: strokes.distribution.iter().map(row).collect(),
+                distribution: tone_table(strokes).iter().map(row).collect(),
             }
         }
     }

@@ -194,14 +194,15 @@ fn flat(method: Method, mapping: Mapping, tiles_per_unit: f64) -> (Subject, Scen
     (subject, scene)
 }
 
-/// Means over a thousand patches and more: what a patch shows of its tile is off by some hundredths. A stroke map is off by
-/// as much as this one is by itself, with uv: strokes share thresholds.
+/// Means over a thousand patches and more: what a patch shows of its tile is off by some hundredths. Where a stroke map is
+/// not cut up, pixels meet the same places of every tile, and stand for all others.
 #[test]
 fn the_mean_ink_of_a_flat_square_is_the_tone_that_was_wanted() {
     let mut stage = pen_stage(1024);
     let (mut table, mut failures) = (String::new(), Vec::new());
-    for (method, most) in [(Method::SixWay, 0.003), (Method::FineTone, 0.003), (Method::StrokeMap, 0.025)] {
+    for method in [Method::SixWay, Method::FineTone, Method::StrokeMap] {
         for mapping in [Mapping::Uv, Mapping::Patches, Mapping::Lapped] {
+            let most = if method == Method::StrokeMap && mapping != Mapping::Patches { 0.007 } else { 0.003 };
             let (subject, mut scene) = flat(method, mapping, 6.0);
             let mut row = format!("{:<10} {:<8}", method.name(), mapping.name());
             let mut worst: f64 = 0.0;

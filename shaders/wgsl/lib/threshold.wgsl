@@ -5,6 +5,8 @@
 
 // Steepest slope: where the map is level, strokes that share a threshold still come over a range of tones.
 const MAX_SLOPE: f32 = 24.0;
+// Rows of the distribution table from one level of detail to the next.
+const ROWS_PER_LEVEL: f32 = 8.0;
 
 fn distribution_entry(row: i32, i: i32) -> f32 {
     return textureLoad(distribution, vec2i(i, row), 0).r;
@@ -16,8 +18,8 @@ struct Equalised {
     rate: f32,
 }
 
-// Share of the samples of this level whose filtered threshold is at most theta. Filtering narrows the distribution of
-// thresholds; looking the result up in its own distribution keeps the tone.
+// Share of the tile that is inked before a filtered threshold at this level is: filtering narrows the distribution of
+// thresholds, and looking the result up in a table made for it keeps the tone.
 fn equalised(theta: f32, level: f32) -> Equalised {
     if material.distribution_entries < 2.0 {
         return Equalised(theta, 1.0);
@@ -25,7 +27,7 @@ fn equalised(theta: f32, level: f32) -> Equalised {
     let steps = material.distribution_entries - 1.0;
     let x = clamp(theta, 0.0, 1.0) * steps;
     let i = min(i32(x), i32(material.distribution_entries) - 2);
-    let row = 2.0 * level;
+    let row = ROWS_PER_LEVEL * level;
     let r = i32(row);
     let last = i32(textureDimensions(distribution).y) - 1;
     let here = vec2f(distribution_entry(min(r, last), i), distribution_entry(min(r, last), i + 1));

@@ -6,6 +6,7 @@ use tam_shaders::cpu::lib::mesh::Mesh;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
 use tam_shaders::cpu::lib::patches::{PatchTable, TURNS, pack_place, pack_tens};
 use tam_shaders::cpu::lib::scene::Scene;
+use tam_shaders::cpu::lib::threshold::ROWS_PER_LEVEL;
 use tam_shaders::cpu::lines::LineStyle;
 use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
 use tam_shaders::types::{self, Edge, NO_FACE};
@@ -325,13 +326,13 @@ fn noise_map(seed: u64, columns: usize) -> MapImage {
     MapImage { levels: [16, 8, 4].map(level).to_vec() }
 }
 
-/// Five rows that increase from 0 to 1.
+/// Rows for three levels that increase from 0 to 1.
 fn distribution(seed: u64) -> Vec<Vec<f32>> {
     let row = |row: usize| {
         let power = Draw::new("distribution", seed, row).between(1000, 0.4, 2.5);
         (0..9).map(|i| ((f64::from(i) / 8.0).powf(power)) as f32).collect()
     };
-    (0..5).map(row).collect()
+    (0..=2 * ROWS_PER_LEVEL).map(row).collect()
 }
 
 /// The buffers and textures of a setting.

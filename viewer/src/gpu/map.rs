@@ -6,7 +6,7 @@ use tam_gen::{GenerateError, Grid, StrokeMap};
 use tam_shaders::types::MAX_COLUMNS;
 
 use super::{Gpu, GpuError, Layouts};
-use crate::maps::{HatchMap, threshold_steps};
+use crate::maps::{HatchMap, stroke_texels, tone_table};
 
 /// How a map lies in its texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -186,18 +186,13 @@ impl Layers {
     }
 
     fn strokes(map: &StrokeMap) -> Self {
-        let levels = map.levels.iter().map(|level| {
-            let steps = threshold_steps(level.size, &level.threshold);
-            let texels = level.threshold.iter().zip(steps).flat_map(|(threshold, step)| [*threshold, step]).collect();
-            (level.size, texels)
-        });
         Self {
             format: wgpu::TextureFormat::Rg8Unorm,
             channels: 2,
             layer_count: 1,
-            levels: levels.collect(),
+            levels: stroke_texels(map),
             tones: vec![1.0],
-            distribution: map.distribution.clone(),
+            distribution: tone_table(map),
         }
     }
 

@@ -6,6 +6,8 @@ use crate::cpu::builtin::{mix, step};
 
 /// Steepest slope: where the map is level, strokes that share a threshold still come over a range of tones.
 pub const MAX_SLOPE: f64 = 24.0;
+/// Rows of the distribution table from one level of detail to the next.
+pub const ROWS_PER_LEVEL: usize = 8;
 
 /// Entry `i` of a row of the distribution table.
 pub fn distribution_entry(distribution: &[Vec<f64>], row: usize, i: usize) -> f64 {
@@ -15,13 +17,13 @@ pub fn distribution_entry(distribution: &[Vec<f64>], row: usize, i: usize) -> f6
 /// A threshold as a share of the samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equalised {
-    /// Share of the samples whose threshold is at most this one.
+    /// Share of the tile that is inked before.
     pub share: f64,
     /// Change of the share with the threshold.
     pub rate: f64,
 }
 
-/// Share of the samples of this level whose filtered threshold is at most `theta`.
+/// Share of the tile that is inked before a filtered threshold `theta` at this level is.
 pub fn equalised(material: &Material, distribution: &[Vec<f64>], theta: f64, level: f64) -> Equalised {
     if material.distribution_entries < 2.0 {
         return Equalised { share: theta, rate: 1.0 };
@@ -29,7 +31,7 @@ pub fn equalised(material: &Material, distribution: &[Vec<f64>], theta: f64, lev
     let steps = material.distribution_entries - 1.0;
     let x = theta.clamp(0.0, 1.0) * steps;
     let i = (x as usize).min(material.distribution_entries as usize - 2);
-    let row = 2.0 * level;
+    let row = ROWS_PER_LEVEL as f64 * level;
     let r = row as usize;
     let last = distribution.len() - 1;
     let at = |row: usize, i: usize| distribution_entry(distribution, row.min(last), i);

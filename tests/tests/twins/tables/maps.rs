@@ -7,7 +7,7 @@ use tam_shaders::cpu::lib::columns::{column_ink, map_level};
 use tam_shaders::cpu::lib::halftone::{halftone_ink, halftone_threshold, line_coverage, line_ink, line_widths};
 use tam_shaders::cpu::lib::mapping::{Mapped, Pattern};
 use tam_shaders::cpu::lib::threshold::{
-    distribution_entry, equalised, fract_of, threshold_centred, threshold_one_sided,
+    ROWS_PER_LEVEL, distribution_entry, equalised, fract_of, threshold_centred, threshold_one_sided,
 };
 use tam_shaders::cpu::stroke_map::Sampled;
 use tam_shaders::cpu::{Bindings, Blend, Form, Mapping, Options, PatternKind, fine_tone, six_way, stroke_map};
@@ -28,7 +28,8 @@ pub(crate) fn rows() -> Vec<Row> {
             Pass::StrokeMap,
             "vec4f(distribution_entry(i32(a.x), i32(a.y)), 0.0, 0.0, 0.0)",
             |draw| {
-                let entry = DVec4::new(draw.pick(OWN, 5) as f64, draw.pick(OWN + 1, 9) as f64, 0.0, 0.0);
+                let entry =
+                    DVec4::new(draw.pick(OWN, 2 * ROWS_PER_LEVEL + 1) as f64, draw.pick(OWN + 1, 9) as f64, 0.0, 0.0);
                 [entry, DVec4::ZERO, DVec4::ZERO, DVec4::ZERO]
             },
         )

@@ -1,10 +1,15 @@
 //! Maps as methods take them: from a preset, or from files.
 
+mod tone_table;
+
 use std::sync::OnceLock;
 
 use tam_gen::import::Imported;
+use tam_gen::map::ThresholdLevel;
 use tam_gen::preset::Tones;
 use tam_gen::{GenerateError, Grid, Job, Preset, StrokeMap};
+
+pub use tone_table::tone_table;
 
 /// Columns of the array that `fine-tone` draws with (Webb and others 2002).
 pub const FINE_COLUMNS: u32 = 64;
@@ -81,6 +86,16 @@ impl HatchMap {
         let columns = self.grid.columns();
         if columns <= 6 { (0..columns).collect() } else { (1..=6).map(|k| k * columns / 6 - 1).collect() }
     }
+}
+
+/// Levels of a stroke map as they are drawn with, finest first: the side, and of each texel its threshold and how much it
+/// changes, see [`threshold_steps`].
+pub(crate) fn stroke_texels(map: &StrokeMap) -> Vec<(u32, Vec<u8>)> {
+    let texels = |level: &ThresholdLevel| {
+        let steps = threshold_steps(level.size, &level.threshold);
+        level.threshold.iter().zip(steps).flat_map(|(threshold, step)| [*threshold, step]).collect()
+    };
+    map.levels.iter().map(|level| (level.size, texels(level))).collect()
 }
 
 /// How much thresholds change from texel to texel on the torus: the greater of the differences to the left and right,
