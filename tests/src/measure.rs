@@ -139,7 +139,7 @@ impl Subject {
         let sigma_px = self.options.tone_sigma_px;
         Motion {
             coherence: motion_coherence(&first.1, &last.1, &track(0, count), sigma_px),
-            swimming: light_swimming(&first.1, &last.1, &first.0, sigma_px),
+            swimming: light_swimming(&first.1, &last.1, [&first.0, &last.0], sigma_px),
             popping: popping(&changes.collect::<Vec<_>>()),
             flicker: (1..count).map(second).sum::<f64>() / (count - 1) as f64,
         }

@@ -265,8 +265,8 @@ fn strokes_on_the_surface_do_not_swim_and_those_that_follow_the_light_do_not_pop
     let mut still = subject(Sample::Hand, 8_000, Method::FineTone);
     let one_degree = still.film(&mut stage, |t| at(&still, 20.0 + t), 2);
     let swimming = one_degree.swimming.expect("ink").swimming;
-    // New strokes come where it grows darker, some of them half; nothing else moves.
-    assert!(swimming < 0.02, "{one_degree:?}");
+    // Ink comes only where it grows darker, and goes only where it grows lighter, but for rounding to eight bits.
+    assert!(swimming < 0.001, "{one_degree:?}");
 
     let surface = {
         still.params.follow = Follow::Light;

@@ -54,23 +54,30 @@ pub struct LightSwimming {
     pub swimming: f64,
     /// The change in all, as [`MotionCoherence::change`].
     pub change: f64,
-    /// The least that the change of tone asks for, in the same unit.
+    /// What of it goes the way that the tone goes, less what goes the other way.
     pub tone_change: f64,
 }
 
 /// The motion-coherence figure between two frames that differ by their lights only, less what the tone itself changes:
-/// (Σ |H - H'| - Σ |p - p'|) / Σ (p (1 - p') + p' (1 - p)), p and p' the local coverages, means over `sigma_px`.
+/// Σ (|H' - H| - s (H' - H)) / Σ (p (1 - p') + p' (1 - p)), s the sign of the wanted change of darkness at the pixel, p and
+/// p' the local coverages, means over `sigma_px`.
 ///
-/// Strokes that nest, each darker pattern holding the lighter one, have 0, but for windows in which some places get
-/// darker and others lighter. None where nothing is inked.
-pub fn light_swimming(before: &Plane, after: &Plane, aov: &Aov, sigma_px: f64) -> Option<LightSwimming> {
-    let mask = aov.covered();
+/// Strokes that stay and nest, each darker pattern holding the lighter one, have 0: ink comes only where it should grow
+/// darker, and goes only where lighter. Of strokes that move, as much ink changes the wrong way as they have moved. Both
+/// surfaces are of the same view. None where nothing is inked.
+pub fn light_swimming(before: &Plane, after: &Plane, aovs: [&Aov; 2], sigma_px: f64) -> Option<LightSwimming> {
+    let mask = aovs[0].covered();
     let blur = MaskedBlur::new(before.size, &mask, sigma_px);
     let (p, q) = (blur.apply(&before.pixels), blur.apply(&after.pixels));
+    let darkness = |aov: &Aov, i: usize| aov.pixels[i].as_ref().map_or(0.0, |surface| surface.darkness);
     let (mut changed, mut tone, mut unrelated) = (0.0, 0.0, 0.0);
     for i in (0..mask.len()).filter(|i| mask[*i]) {
-        changed += (before.pixels[i] - after.pixels[i]).abs();
-        tone += (p[i] - q[i]).abs();
+        let change = after.pixels[i] - before.pixels[i];
+        let wanted = darkness(aovs[1], i) - darkness(aovs[0], i);
+        changed += change.abs();
+        if wanted != 0.0 {
+            tone += wanted.signum() * change;
+        }
         unrelated += differing(p[i], q[i]);
     }
     let swimming = (changed - tone) / unrelated;
@@ -136,10 +143,10 @@ mod tests {
         let (lit, darker) = (ramp_aov(SIZE, 0.2, 0.4), ramp_aov(SIZE, 0.3, 0.6));
         let grating = Grating { angle_rad: 0.7, period_px: 6.0, shift: 0.0 };
         let before = grating.drawn_on(&lit);
-        let still = light_swimming(&before, &grating.drawn_on(&darker), &lit, 12.0).expect("inked");
-        assert!(still.swimming.abs() < 0.02 && still.tone_change > 0.2, "{still}");
+        let still = light_swimming(&before, &grating.drawn_on(&darker), [&lit, &darker], 12.0).expect("inked");
+        assert!(still.swimming.abs() < 1e-9 && still.tone_change > 0.2, "{still}");
         let moving = Grating { shift: 0.4, ..grating }.drawn_on(&darker);
-        let swimming = light_swimming(&before, &moving, &lit, 12.0).expect("inked");
+        let swimming = light_swimming(&before, &moving, [&lit, &darker], 12.0).expect("inked");
         assert!(swimming.swimming > 0.5, "{swimming}");
     }
 }
