@@ -1,6 +1,7 @@
 //! From a moved slider to the new picture, as the window's user waits for it: `cargo bench -p tam-viewer --bench live`.
 //!
-//! Medians of [`RUNS`] changes per size of the map, in a view of 800 x 600 px: time of the map, and time until its picture is there.
+//! Medians of [`RUNS`] changes per size of the map, in a view of 800 x 600 px: what map was made meanwhile, in what time; the
+//! time until its picture is there; and, from letting go, until the whole map is seen in a picture to be looked at.
 
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -11,57 +12,96 @@ use tam_viewer::app::{App, Command, Options};
 const RUNS: usize = 9;
 
 fn main() {
-    let ctx = egui::Context::default();
-    let mut app = App::new(&ctx, Options::default()).expect("the application starts");
+    let mut desk = Desk::new();
     let started = Instant::now();
-    let mut time_s = 0.0;
-    frames_until(&ctx, &mut app, &mut time_s, |app| app.results().picture.is_some());
+    desk.frames_until(|app| app.results().picture.is_some());
     say(&format!("first picture after {:.0} ms", started.elapsed().as_secs_f64() * 1e3));
-    frames_until(&ctx, &mut app, &mut time_s, |app| !app.is_busy());
+    desk.frames_until(|app| !app.is_busy());
     say(&format!("finished picture after {:.0} ms", started.elapsed().as_secs_f64() * 1e3));
-    say(&format!("{:>6} {:>9} {:>12}", "map", "made", "shown after"));
+    say(&format!("{:>7} {:>11} {:>9} {:>12} {:>12}", "map", "made of", "made in", "shown after", "whole after"));
     for size in [256_u32, 512, 1024] {
-        let (mut made, mut shown) = (Vec::new(), Vec::new());
+        let (mut side, mut made, mut shown, mut whole) = (0, Vec::new(), Vec::new(), Vec::new());
         for run in 0..=RUNS {
-            let mut preset = app.state().document.preset.clone();
+            let mut preset = desk.app.state().document.preset.clone();
             preset.map.size = size;
             preset.stroke.width_px = 1.5 + run as f64 * 0.1;
-            let before = app.results().picture.as_ref().map_or(0, |picture| picture.number);
+            let before = desk.app.results().picture.as_ref().map_or(0, |picture| picture.number);
             let start = Instant::now();
-            app.run(&ctx, Command::SetPreset(Box::new(preset.clone())));
-            frames_until(&ctx, &mut app, &mut time_s, |app| {
+            desk.held = true;
+            desk.app.run(&desk.ctx, Command::SetPreset(Box::new(preset.clone())));
+            desk.frames_until(|app| {
                 let map = app.results().map.as_ref().is_some_and(|made| made.preset == preset);
                 map && app.results().picture.as_ref().is_some_and(|picture| picture.number > before)
             });
             // The first changes the size, and makes room for it.
             if run > 0 {
                 shown.push(start.elapsed());
-                made.extend(app.results().map.as_ref().map(|made| made.took));
+                if let Some(map) = &desk.app.results().map {
+                    side = map.map.grid.levels[0].size;
+                    made.push(map.took);
+                }
             }
-            frames_until(&ctx, &mut app, &mut time_s, |app| !app.is_busy());
+            let start = Instant::now();
+            desk.held = false;
+            desk.frames_until(|app| {
+                let still = app.results().picture.as_ref().is_some_and(|picture| picture.is_still());
+                still && app.results().map.as_ref().is_some_and(|made| !made.draft)
+            });
+            if run > 0 {
+                whole.push(start.elapsed());
+            }
+            desk.frames_until(|app| !app.is_busy());
         }
-        say(&format!("{size:>4} px {:>6.1} ms {:>9.1} ms", milliseconds(&mut made), milliseconds(&mut shown)));
+        let [made, shown, whole] = [made, shown, whole].map(|mut times| milliseconds(&mut times));
+        say(&format!("{size:>4} px {side:>8} px {made:>6.1} ms {shown:>9.1} ms {whole:>9.1} ms"));
     }
 }
 
-/// Draws frames until something has come to pass.
-fn frames_until(ctx: &egui::Context, app: &mut App, time_s: &mut f64, done: impl Fn(&App) -> bool) {
-    let start = Instant::now();
-    loop {
-        *time_s += 1.0 / 60.0;
-        let input = egui::RawInput {
-            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1400.0, 950.0))),
-            time: Some(*time_s),
-            ..egui::RawInput::default()
-        };
-        // There is no screen: what would be uploaded is dropped.
-        ctx.run_ui(input, |ui| app.show(ui)).textures_delta.clear();
-        if done(app) {
-            return;
+/// The window without a screen.
+struct Desk {
+    ctx: egui::Context,
+    app: App,
+    time_s: f64,
+    /// Whether a button is down, as it is while a slider moves.
+    held: bool,
+    was_held: bool,
+}
+
+impl Desk {
+    fn new() -> Self {
+        let ctx = egui::Context::default();
+        let app = App::new(&ctx, Options::default()).expect("the application starts");
+        Self { ctx, app, time_s: 0.0, held: false, was_held: false }
+    }
+
+    /// Draws frames until something has come to pass.
+    fn frames_until(&mut self, done: impl Fn(&App) -> bool) {
+        let start = Instant::now();
+        loop {
+            self.time_s += 1.0 / 60.0;
+            let mut input = egui::RawInput {
+                screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1400.0, 950.0))),
+                time: Some(self.time_s),
+                ..egui::RawInput::default()
+            };
+            if self.held != self.was_held {
+                // In a corner where there is nothing to take hold of.
+                let pos = egui::pos2(1.0, 949.0);
+                let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+                input.events.push(egui::Event::PointerButton { pos, button, pressed: self.held, modifiers });
+                self.was_held = self.held;
+            }
+            // There is no screen: what would be uploaded is dropped.
+            let app = &mut self.app;
+            self.ctx.run_ui(input, |ui| app.show(ui)).textures_delta.clear();
+            if done(&self.app) {
+                return;
+            }
+            let results = self.app.results();
+            let problems = (&results.picture_problem, &results.map_problem, &results.running);
+            assert!(start.elapsed() < Duration::from_secs(60), "it never comes to pass: {problems:?}");
+            std::thread::sleep(Duration::from_millis(1));
         }
-        let problems = (&app.results().picture_problem, &app.results().map_problem, &app.results().running);
-        assert!(start.elapsed() < Duration::from_secs(60), "it never comes to pass: {problems:?}");
-        std::thread::sleep(Duration::from_millis(1));
     }
 }
 

@@ -9,6 +9,7 @@ use tam_gen::export::ExportOptions;
 use super::files::{FileReply, FileRequest, FileWorker, file_worker, formats};
 use super::map::{CheckWorker, MadeMap, MapRequest, MapWorker, check_worker, map_worker};
 use super::mesh::{LoadedMesh, MeshWorker, mesh_worker};
+use super::pace::Pace;
 use super::painter::{Shot, Side};
 use super::picture::{PictureReply, PictureRequest, PictureWorker, Stillness, picture_worker};
 use super::results::{Results, Thumbnail};
@@ -25,10 +26,6 @@ const SURFACES: usize = 6;
 
 /// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
 const SURFACE_TRIANGLES: usize = 2_000_000;
-
-/// Where a picture to be looked at costs more than this on the device, in milliseconds, those that only pass are drawn at half
-/// its size.
-const COSTLY_MS: f64 = 45.0;
 
 /// What the view is like at the moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,8 +51,7 @@ pub(crate) struct Engine {
     /// Surfaces that cannot be made are not asked for again.
     refused: Vec<SurfaceRequest>,
     writing: Option<String>,
-    /// What the last picture cost that was to be looked at, in milliseconds.
-    still_cost_ms: f64,
+    pace: Pace,
     /// Messages for the next time that replies are collected.
     told: Vec<Notice>,
 }
@@ -89,7 +85,7 @@ impl Engine {
             other_map: None,
             refused: Vec::new(),
             writing: None,
-            still_cost_ms: 0.0,
+            pace: Pace::default(),
             told: Vec::new(),
         })
     }
@@ -130,7 +126,7 @@ impl Engine {
         let request = |name: String, preset: &Preset, fine| MapRequest {
             name,
             preset: preset.clone(),
-            draft: demand.moving,
+            draft_px: self.pace.draft_px(preset.map.size).filter(|_| demand.moving),
             fine,
         };
         let other = document.compare.as_ref();
@@ -205,7 +201,7 @@ impl Engine {
             return;
         }
         let Some(mut shot) = self.shot(state, mesh, map, demand.size_px, 4) else { return };
-        let costly = self.still_cost_ms > COSTLY_MS;
+        let costly = self.pace.coarser() > 1;
         let changed = self.asked.shot.as_ref().is_none_or(|(asked, _)| !asked.shows_same(&shot));
         let asked_moving = self.asked.shot.as_ref().is_some_and(|(_, stillness)| *stillness == Stillness::Moving);
         // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
@@ -218,7 +214,7 @@ impl Engine {
             shot.samples = 1;
         }
         if moving && costly {
-            shot.size_px = demand.size_px.map(|side| side.div_ceil(2));
+            shot.size_px = demand.size_px.map(|side| side.div_ceil(self.pace.coarser()));
         }
         if self.asked.shot.as_ref().is_none_or(|(asked, _)| *asked != shot) {
             self.asked.shot = Some((shot.clone(), stillness));
@@ -292,6 +288,7 @@ impl Engine {
             match reply {
                 Ok(made) => {
                     if !made.draft {
+                        self.pace.map_made(made.preset.map.size, made.took);
                         self.checks.request(Arc::clone(&made));
                     }
                     (results.map, results.map_problem) = (Some(made), None);
@@ -349,7 +346,7 @@ impl Engine {
                 PictureReply::Adapter(adapter) => results.adapter = Some(adapter),
                 PictureReply::Shown(shown) => {
                     if shown.stillness == Stillness::Still {
-                        self.still_cost_ms = shown.cost.as_secs_f64() * 1e3;
+                        self.pace.picture_drawn(shown.cost);
                     }
                     (results.picture, results.picture_problem) = (Some(shown), None);
                 }
@@ -445,7 +442,7 @@ impl Engine {
 fn is_new(asked: &Option<MapRequest>, wanted: &MapRequest) -> bool {
     asked.as_ref().is_none_or(|asked| {
         let changed = (&asked.preset, &asked.name) != (&wanted.preset, &wanted.name);
-        changed || (wanted.fine && !asked.fine) || (asked.is_draft() && !wanted.is_draft())
+        changed || (wanted.fine && !asked.fine) || (asked.draft_px.is_some() && wanted.draft_px.is_none())
     })
 }
 

@@ -12,9 +12,6 @@ use crate::maps::HatchMap;
 /// A map younger than this is finished even if a newer one is wanted.
 const PATIENCE: Duration = Duration::from_millis(250);
 
-/// Side of the map that stands in for a larger one while a slider moves, in texels.
-const DRAFT_PX: u32 = 512;
-
 /// A map that was made, with all that panels and pictures need of it.
 #[derive(Debug)]
 pub struct MadeMap {
@@ -37,17 +34,10 @@ pub struct MadeMap {
 pub(super) struct MapRequest {
     pub name: String,
     pub preset: Preset,
-    /// Something smaller will do for now.
-    pub draft: bool,
+    /// Side in texels of a smaller map that will do for now.
+    pub draft_px: Option<u32>,
     /// Make the many columns of `fine-tone` too.
     pub fine: bool,
-}
-
-impl MapRequest {
-    /// Whether a smaller map stands in for it.
-    pub(super) fn is_draft(&self) -> bool {
-        self.draft && self.preset.map.size > 2 * DRAFT_PX
-    }
 }
 
 pub(super) type MapReply = Result<Arc<MadeMap>, String>;
@@ -69,9 +59,9 @@ pub(super) fn map_worker(wake: Wake) -> std::io::Result<MapWorker> {
 
 fn made(generator: &mut Generator, request: &MapRequest, job: &Job<'_>) -> Result<MadeMap, GenerateError> {
     let mut preset = request.preset.clone();
-    if request.is_draft() {
-        preset.map.size = DRAFT_PX;
-        preset.map.coarsest = preset.map.coarsest.min(DRAFT_PX);
+    if let Some(size) = request.draft_px {
+        preset.map.size = size;
+        preset.map.coarsest = preset.map.coarsest.min(size);
     }
     let start = Instant::now();
     let mut map = Map::default();
@@ -82,7 +72,7 @@ fn made(generator: &mut Generator, request: &MapRequest, job: &Job<'_>) -> Resul
         hatch.fine_with(job)?;
     }
     let tone_error = tone_error(&map);
-    let (preset, draft) = (request.preset.clone(), request.is_draft());
+    let (preset, draft) = (request.preset.clone(), request.draft_px.is_some());
     Ok(MadeMap { preset, map, hatch: Arc::new(hatch), took, tone_error, draft })
 }
 

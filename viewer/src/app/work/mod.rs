@@ -7,6 +7,7 @@ mod engine;
 mod files;
 mod map;
 mod mesh;
+mod pace;
 mod painter;
 mod picture;
 mod results;

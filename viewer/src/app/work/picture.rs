@@ -34,6 +34,13 @@ pub struct Shown {
     pub number: u64,
 }
 
+impl Shown {
+    /// Whether it is to be looked at, not one of many that pass.
+    pub fn is_still(&self) -> bool {
+        self.stillness == Stillness::Still
+    }
+}
+
 pub(super) enum PictureRequest {
     View(Box<Shot>, Stillness),
     Thumbnail(ThumbnailRequest),
