@@ -87,7 +87,7 @@ pub enum GpuError {
         cause: String,
     },
     /// A picture or buffer is larger than the adapter takes.
-    #[error("{what} needs {wanted}, and {adapter} takes {limit}")]
+    #[error("{what}: {wanted} are needed, and {adapter} takes {limit} at most")]
     TooLarge {
         /// What does not fit.
         what: String,
@@ -229,7 +229,7 @@ impl Gpu {
             return Ok(());
         }
         Err(GpuError::TooLarge {
-            what: format!("{what} (bytes)"),
+            what: format!("bytes for {what}"),
             wanted: bytes,
             limit,
             adapter: self.adapter.to_string(),

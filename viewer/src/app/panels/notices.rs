@@ -8,7 +8,9 @@ use crate::app::state::{Notice, Severity};
 /// A message on the screen, and how long it still stays, in seconds; errors stay until they are closed.
 pub(crate) struct Shown {
     notice: Notice,
-    left_s: Option<f32>,
+    left_s: Option<f64>,
+    /// When time last ran for it; it stands still under the pointer.
+    counted_s: Option<f64>,
 }
 
 impl Shown {
@@ -20,7 +22,7 @@ impl Shown {
             Severity::Warning => Some(15.0),
             Severity::Error => None,
         };
-        Self { notice, left_s }
+        Self { notice, left_s, counted_s: None }
     }
 }
 
@@ -44,13 +46,16 @@ pub(crate) fn notices(ctx: &Context, shown: &mut Vec<Shown>) {
         })
         .response
         .contains_pointer();
-    let step = ctx.input(|input| input.stable_dt.min(0.1));
-    if !hovered {
-        shown.iter_mut().filter_map(|shown| shown.left_s.as_mut()).for_each(|left| *left -= step);
-        shown.retain(|shown| shown.left_s.is_none_or(|left| left > 0.0));
+    let now_s = ctx.input(|input| input.time);
+    for shown in shown.iter_mut() {
+        let since_s = shown.counted_s.filter(|_| !hovered).map_or(0.0, |counted_s| now_s - counted_s);
+        shown.left_s = shown.left_s.map(|left_s| left_s - since_s);
+        shown.counted_s = (!hovered).then_some(now_s);
     }
-    if shown.iter().any(|shown| shown.left_s.is_some()) {
-        ctx.request_repaint_after(std::time::Duration::from_millis(100));
+    shown.retain(|shown| shown.left_s.is_none_or(|left_s| left_s > 0.0));
+    let soonest_s = shown.iter().filter_map(|shown| shown.left_s).fold(f64::INFINITY, f64::min);
+    if soonest_s.is_finite() && !hovered {
+        ctx.request_repaint_after(std::time::Duration::from_secs_f64(soonest_s));
     }
 }
 
@@ -80,4 +85,22 @@ fn one(ui: &mut Ui, notice: &Notice) -> bool {
             .inner
         })
         .inner
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_go_by_the_clock_however_few_frames_are_drawn() {
+        let ctx = Context::default();
+        let notice = |severity| Shown::new(Notice { severity, text: "It is done.".into() });
+        let mut shown = vec![notice(Severity::Done), notice(Severity::Error)];
+        let mut left_at = |time_s: f64| {
+            let input = egui::RawInput { time: Some(time_s), ..egui::RawInput::default() };
+            ctx.run_ui(input, |ui| notices(ui.ctx(), &mut shown)).textures_delta.clear();
+            shown.len()
+        };
+        assert_eq!([0.0, 1.0, 4.9, 5.1].map(&mut left_at), [2, 2, 2, 1], "errors stay");
+    }
 }
