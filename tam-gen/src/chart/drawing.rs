@@ -1,0 +1,284 @@
+//! One chart: points of cost against error, with the front marked and named.
+
+use kuva::backend::raster::RasterBackend;
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::LinePlot;
+use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
+use kuva::plot::scatter::{MarkerShape, ScatterPlot};
+use kuva::render::color::Color;
+use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+
+use super::ChartError;
+use super::labels::{Label, place_labels};
+use super::pareto::pareto_front;
+
+/// An axis; less is better on both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What is measured, and in which unit.
+    pub label: String,
+    /// Logarithmic from this number (> 0) on, to which smaller ones are raised; `None`: even, from 0.
+    pub log_from: Option<f64>,
+}
+
+/// A way of doing the work.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartPoint {
+    /// What it is called where it is on the front.
+    pub label: String,
+    /// Of the chart's groups; it gives the colour.
+    pub group: usize,
+    /// Drawn as a triangle: a baseline, as its paper prints it.
+    pub baseline: bool,
+    /// Cost.
+    pub x: f64,
+    /// Error.
+    pub y: f64,
+}
+
+/// Ways of doing the work, by cost and error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Name of its files, without an ending.
+    pub name: String,
+    /// What the chart says.
+    pub title: String,
+    /// With what it was measured.
+    pub subtitle: String,
+    /// Cost.
+    pub x: Axis,
+    /// Error.
+    pub y: Axis,
+    /// Names of the groups, in the order of the legend.
+    pub groups: Vec<String>,
+    /// All that were measured; those without finite numbers are left out.
+    pub points: Vec<ChartPoint>,
+}
+
+impl Chart {
+    /// Indices of the points that are worth their cost, by growing cost.
+    pub fn front(&self) -> Vec<usize> {
+        pareto_front(&self.points.iter().map(|point| [point.x, point.y]).collect::<Vec<_>>())
+    }
+}
+
+/// A chart as files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// As text.
+    pub svg: String,
+    /// As pixels, half as many again as the units of the SVG.
+    pub png: Vec<u8>,
+}
+
+/// Colours that the colour-blind tell apart (Okabe and Ito 2008), and a brown and a grey.
+const COLOURS: [&str; 9] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#7a4a1e", "#e69f00", "#666666"];
+const SIZE: [f64; 2] = [960.0, 560.0];
+const PNG_SCALE: f32 = 1.5;
+const LABEL_PX: u32 = 12;
+/// Width of a letter of the labels, at most on average, and height of their lines.
+const LETTER_PX: f64 = 7.0;
+const LINE_PX: f64 = 15.0;
+/// Labels further than this from their points are tied to them by a line.
+const TIED_PX: f64 = 14.0;
+/// Letters in a line of the title.
+const TITLE_LETTERS: usize = 84;
+
+/// Draws a chart.
+///
+/// # Errors
+/// The pixels cannot be encoded.
+pub fn draw(chart: &Chart) -> Result<Drawn, ChartError> {
+    let at = |point: &ChartPoint| {
+        let raised = |axis: &Axis, value: f64| axis.log_from.map_or(value, |least| value.max(least));
+        (raised(&chart.x, point.x), raised(&chart.y, point.y))
+    };
+    let shown: Vec<usize> =
+        (0..chart.points.len()).filter(|i| chart.points[*i].x.is_finite() && chart.points[*i].y.is_finite()).collect();
+    let front = chart.front();
+    let mut plots: Vec<Plot> = Vec::new();
+    if front.len() > 1 {
+        let line = LinePlot::new().with_data(front.iter().map(|i| at(&chart.points[*i])));
+        plots.push(line.with_color("#333333").with_stroke_width(1.4).into());
+    }
+    for (group, colour) in (0..chart.groups.len()).zip(COLOURS.iter().cycle()) {
+        for (baseline, best) in [(false, false), (true, false), (false, true), (true, true)] {
+            let wanted = |i: &&usize| {
+                let point = &chart.points[**i];
+                point.group == group && point.baseline == baseline && front.contains(*i) == best
+            };
+            let places: Vec<(f64, f64)> = shown.iter().filter(wanted).map(|i| at(&chart.points[*i])).collect();
+            if places.is_empty() {
+                continue;
+            }
+            let marker = if baseline { MarkerShape::Triangle } else { MarkerShape::Circle };
+            let (size, opacity) = if best { (5.5, 1.0) } else { (4.0, 0.42) };
+            let dots = ScatterPlot::new().with_data(places).with_color(*colour).with_marker(marker).with_size(size);
+            plots.push(dots.with_marker_opacity(opacity).into());
+        }
+    }
+    let layout = layout(chart, &plots);
+    let computed = ComputedLayout::from_layout(&layout);
+    let mut scene = render_multiple(plots, layout);
+    let place = |i: &usize| {
+        let (x, y) = at(&chart.points[*i]);
+        [computed.map_x(x), computed.map_y(y)]
+    };
+    let places: Vec<[f64; 2]> = shown.iter().map(place).collect();
+    name_front(&mut scene, chart, &front, &front.iter().map(place).collect::<Vec<_>>(), &places, &computed);
+    let svg = SvgBackend.render_scene(&scene);
+    let png = RasterBackend::new().with_scale(PNG_SCALE).render_scene(&scene).map_err(ChartError)?;
+    Ok(Drawn { svg, png })
+}
+
+fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
+    let legend = |(name, colour): (&String, &&str)| LegendEntry {
+        label: name.clone(),
+        color: (*colour).to_owned(),
+        shape: LegendShape::Circle,
+        dasharray: None,
+    };
+    let mut legend: Vec<LegendEntry> = chart.groups.iter().zip(COLOURS.iter().cycle()).map(legend).collect();
+    let entry = |label: &str, shape| LegendEntry {
+        label: label.to_owned(),
+        color: "#333333".to_owned(),
+        shape,
+        dasharray: None,
+    };
+    if chart.points.iter().any(|point| point.baseline) {
+        legend.push(entry("as printed", LegendShape::Marker(MarkerShape::Triangle)));
+    }
+    legend.push(entry("Pareto front", LegendShape::Line));
+    let mut layout = Layout::auto_from_plots(plots)
+        .with_width(SIZE[0])
+        .with_height(SIZE[1])
+        .with_title(chart.title.clone())
+        .with_title_size(17)
+        .with_title_wrap(TITLE_LETTERS)
+        .with_subtitle(chart.subtitle.clone())
+        .with_subtitle_size(12)
+        .with_x_label(chart.x.label.clone())
+        .with_y_label(chart.y.label.clone())
+        .with_legend_entries(legend)
+        .with_legend_position(LegendPosition::OutsideRightTop)
+        .with_legend_box(false);
+    if chart.x.log_from.is_some() {
+        layout = layout.with_log_x();
+    }
+    if chart.y.log_from.is_some() {
+        layout = layout.with_log_y();
+    } else {
+        layout = layout.with_y_axis_min(0.0);
+    }
+    layout
+}
+
+/// Writes the names of the points of the front where there is room.
+fn name_front(
+    scene: &mut Scene,
+    chart: &Chart,
+    front: &[usize],
+    named: &[[f64; 2]],
+    points: &[[f64; 2]],
+    computed: &ComputedLayout,
+) {
+    let text = |i: &usize| chart.points[*i].label.as_str();
+    let label = |(i, point): (&usize, &[f64; 2])| Label {
+        point: *point,
+        size: [LETTER_PX * text(i).chars().count() as f64, LINE_PX],
+    };
+    let labels: Vec<Label> = front.iter().zip(named).map(label).collect();
+    let bounds = [
+        computed.margin_left + 4.0,
+        computed.margin_top + 2.0,
+        computed.width - computed.margin_right - 2.0,
+        computed.height - computed.margin_bottom - 4.0,
+    ];
+    for ((i, label), [left, top]) in front.iter().zip(&labels).zip(place_labels(&labels, points, bounds)) {
+        let [width, height] = label.size;
+        let nearest = [label.point[0].clamp(left, left + width), label.point[1].clamp(top, top + height)];
+        let away = (nearest[0] - label.point[0]).hypot(nearest[1] - label.point[1]);
+        if away > TIED_PX {
+            scene.add(Primitive::Line {
+                x1: label.point[0],
+                y1: label.point[1],
+                x2: nearest[0],
+                y2: nearest[1],
+                stroke: Color::Rgb(150, 150, 150),
+                stroke_width: 0.8,
+                stroke_dasharray: None,
+            });
+        }
+        // Letters next to their point lie against it: the box is wider than most texts.
+        let (x, anchor) = match label.point[0] {
+            x if x < left => (left, TextAnchor::Start),
+            x if x > left + width => (left + width, TextAnchor::End),
+            _ => (left + 0.5 * width, TextAnchor::Middle),
+        };
+        scene.add(Primitive::Text {
+            x,
+            y: top + 0.78 * height,
+            content: text(i).to_owned(),
+            size: LABEL_PX,
+            anchor,
+            rotate: None,
+            bold: false,
+            color: Some(Color::Rgb(20, 20, 20)),
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart() -> Chart {
+        let point = |i: u32| ChartPoint {
+            label: format!("way {i}"),
+            group: i as usize % 2,
+            baseline: i % 3 == 0,
+            x: 1.0 + 0.3 * f64::from(i),
+            y: 10.0 / f64::from(i + 1),
+        };
+        let axis = |label: &str| Axis { label: label.into(), log_from: Some(1e-3) };
+        Chart {
+            name: "test".into(),
+            title: "What it says".into(),
+            subtitle: "how <it> was measured".into(),
+            x: axis("cost (ms)"),
+            y: axis("error (%)"),
+            groups: vec!["ours".into(), "theirs".into()],
+            points: (0..5)
+                .map(point)
+                .chain([ChartPoint { x: 2.0, y: 9.5, label: "worse".into(), ..point(1) }])
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn titles_axes_groups_and_the_front_are_named_and_nothing_else_is() {
+        let svg = draw(&chart()).expect("a chart").svg;
+        for text in ["What it says", "cost (ms)", "error (%)", "ours", "theirs", "way 0", "way 4", "as printed"] {
+            assert!(svg.contains(text), "{text} is not in {svg}");
+        }
+        assert!(!svg.contains("worse") && !svg.contains("<it>"), "{svg}");
+    }
+
+    #[test]
+    fn pixels_show_the_points() {
+        let drawn = draw(&chart()).expect("a chart");
+        let picture = image::load_from_memory(&drawn.png).expect("a PNG").into_rgb8();
+        assert_eq!(picture.dimensions(), (1440, 840));
+        let blue = picture.pixels().filter(|pixel| pixel.0 == [0x00, 0x72, 0xb2]).count();
+        assert!(blue > 100, "{blue} pixels of the first group");
+    }
+
+    #[test]
+    fn a_chart_without_points_is_drawn_empty() {
+        let empty = Chart { points: Vec::new(), ..chart() };
+        assert!(draw(&empty).expect("a chart").svg.contains("What it says"));
+    }
+}
