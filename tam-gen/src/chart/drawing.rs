@@ -1,12 +1,14 @@
 //! One chart: points of cost against error, with the front marked and named.
 
+use std::sync::Arc;
+
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::LinePlot;
 use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::render::color::Color;
-use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::layout::{ComputedLayout, Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
@@ -74,8 +76,19 @@ pub struct Drawn {
 }
 
 /// Colours that the colour-blind tell apart (Okabe and Ito 2008), and a brown and a grey.
-const COLOURS: [&str; 9] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#7a4a1e", "#e69f00", "#666666"];
+const COLOURS: [[u8; 3]; 9] = [
+    [0, 114, 178],
+    [213, 94, 0],
+    [0, 158, 115],
+    [204, 121, 167],
+    [138, 109, 0],
+    [86, 180, 233],
+    [122, 74, 30],
+    [230, 159, 0],
+    [102, 102, 102],
+];
+/// How much of its colour a point keeps that is not on the front.
+const PALE: f64 = 0.45;
 const SIZE: [f64; 2] = [960.0, 560.0];
 const PNG_SCALE: f32 = 1.5;
 const LABEL_PX: u32 = 12;
@@ -84,6 +97,8 @@ const LETTER_PX: f64 = 7.0;
 const LINE_PX: f64 = 15.0;
 /// Labels further than this from their points are tied to them by a line.
 const TIED_PX: f64 = 14.0;
+/// Between samples of the front.
+const LINE_STEP_PX: f64 = 8.0;
 /// Letters in a line of the title.
 const TITLE_LETTERS: usize = 84;
 
@@ -115,9 +130,13 @@ pub fn draw(chart: &Chart) -> Result<Drawn, ChartError> {
                 continue;
             }
             let marker = if baseline { MarkerShape::Triangle } else { MarkerShape::Circle };
-            let (size, opacity) = if best { (5.5, 1.0) } else { (4.0, 0.42) };
-            let dots = ScatterPlot::new().with_data(places).with_color(*colour).with_marker(marker).with_size(size);
-            plots.push(dots.with_marker_opacity(opacity).into());
+            let (size, strength) = if best { (5.5, 1.0) } else { (4.0, PALE) };
+            let dots = ScatterPlot::new()
+                .with_data(places)
+                .with_color(hex(*colour, strength))
+                .with_marker(marker)
+                .with_size(size);
+            plots.push(dots.into());
         }
     }
     let layout = layout(chart, &plots);
@@ -127,17 +146,18 @@ pub fn draw(chart: &Chart) -> Result<Drawn, ChartError> {
         let (x, y) = at(&chart.points[*i]);
         [computed.map_x(x), computed.map_y(y)]
     };
-    let places: Vec<[f64; 2]> = shown.iter().map(place).collect();
-    name_front(&mut scene, chart, &front, &front.iter().map(place).collect::<Vec<_>>(), &places, &computed);
+    let mut taken: Vec<[f64; 2]> = shown.iter().map(place).collect();
+    taken.extend(along(&front.iter().map(place).collect::<Vec<_>>()));
+    name_front(&mut scene, chart, &front, &front.iter().map(place).collect::<Vec<_>>(), &taken, &computed);
     let svg = SvgBackend.render_scene(&scene);
     let png = RasterBackend::new().with_scale(PNG_SCALE).render_scene(&scene).map_err(ChartError)?;
     Ok(Drawn { svg, png })
 }
 
 fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
-    let legend = |(name, colour): (&String, &&str)| LegendEntry {
+    let legend = |(name, colour): (&String, &[u8; 3])| LegendEntry {
         label: name.clone(),
-        color: (*colour).to_owned(),
+        color: hex(*colour, 1.0),
         shape: LegendShape::Circle,
         dasharray: None,
     };
@@ -152,11 +172,16 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
         legend.push(entry("as printed", LegendShape::Marker(MarkerShape::Triangle)));
     }
     legend.push(entry("Pareto front", LegendShape::Line));
+    let (x, y) = (
+        range(&chart.x, chart.points.iter().map(|point| point.x)),
+        range(&chart.y, chart.points.iter().map(|point| point.y)),
+    );
+    let plain = || TickFormat::Custom(Arc::new(tick));
     let mut layout = Layout::auto_from_plots(plots)
         .with_width(SIZE[0])
         .with_height(SIZE[1])
         .with_title(chart.title.clone())
-        .with_title_size(17)
+        .with_title_size(16)
         .with_title_wrap(TITLE_LETTERS)
         .with_subtitle(chart.subtitle.clone())
         .with_subtitle_size(12)
@@ -164,16 +189,64 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
         .with_y_label(chart.y.label.clone())
         .with_legend_entries(legend)
         .with_legend_position(LegendPosition::OutsideRightTop)
-        .with_legend_box(false);
+        .with_legend_box(false)
+        .with_x_axis_min(x[0])
+        .with_x_axis_max(x[1])
+        .with_y_axis_min(y[0])
+        .with_y_axis_max(y[1])
+        .with_x_tick_format(plain())
+        .with_y_tick_format(plain());
     if chart.x.log_from.is_some() {
         layout = layout.with_log_x();
     }
     if chart.y.log_from.is_some() {
         layout = layout.with_log_y();
-    } else {
-        layout = layout.with_y_axis_min(0.0);
     }
     layout
+}
+
+/// A colour in the words of CSS, mixed with paper.
+fn hex(colour: [u8; 3], strength: f64) -> String {
+    let [r, g, b] = colour.map(|channel| (255.0 - strength * (255.0 - f64::from(channel))).round() as u8);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// What an axis shows: all numbers, and room at the ends for dots and labels.
+fn range(axis: &Axis, numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    let numbers = numbers.filter(|number| number.is_finite());
+    let (least, most) = numbers.fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
+    match axis.log_from {
+        Some(from) => {
+            let (least, most) = (if least.is_finite() { least.max(from) } else { from }, most.max(2.0 * from));
+            // A tenth of the way, and no less than a tenth of the number.
+            let room = libm::pow(most / least, 0.08).max(1.1);
+            [least / room, most * room]
+        }
+        None => [0.0, if most > 0.0 { 1.1 * most } else { 1.0 }],
+    }
+}
+
+/// A number at a tick: ticks are 1, 2 or 5 times a power of ten.
+fn tick(number: f64) -> String {
+    let size = number.abs();
+    if number != 0.0 && !(1e-4..1e6).contains(&size) {
+        return format!("{number:.0e}");
+    }
+    let text = format!("{number:.5}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Samples of a line through points, which labels keep away from.
+fn along(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let between = |ends: &[[f64; 2]]| {
+        let [from, to] = [ends[0], ends[1]];
+        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / LINE_STEP_PX).ceil().max(1.0) as u32;
+        let at = move |step: u32| {
+            [0, 1].map(|side| from[side] + (to[side] - from[side]) * f64::from(step) / f64::from(steps))
+        };
+        (1..steps).map(at).collect::<Vec<_>>()
+    };
+    points.windows(2).flat_map(between).collect()
 }
 
 /// Writes the names of the points of the front where there is room.
@@ -182,7 +255,7 @@ fn name_front(
     chart: &Chart,
     front: &[usize],
     named: &[[f64; 2]],
-    points: &[[f64; 2]],
+    taken: &[[f64; 2]],
     computed: &ComputedLayout,
 ) {
     let text = |i: &usize| chart.points[*i].label.as_str();
@@ -197,7 +270,7 @@ fn name_front(
         computed.width - computed.margin_right - 2.0,
         computed.height - computed.margin_bottom - 4.0,
     ];
-    for ((i, label), [left, top]) in front.iter().zip(&labels).zip(place_labels(&labels, points, bounds)) {
+    for ((i, label), [left, top]) in front.iter().zip(&labels).zip(place_labels(&labels, taken, bounds)) {
         let [width, height] = label.size;
         let nearest = [label.point[0].clamp(left, left + width), label.point[1].clamp(top, top + height)];
         let away = (nearest[0] - label.point[0]).hypot(nearest[1] - label.point[1]);

@@ -23,17 +23,21 @@ const STEP_PX: f64 = 9.0;
 const GAP_PX: f64 = 3.0;
 /// Radius kept free around points.
 const POINT_PX: f64 = 6.0;
+/// Between samples of lines.
+const TIE_STEP_PX: f64 = 5.0;
 /// What it costs a label to lie on a point, in px² for each; lying on another label costs ten times its area.
 const ON_POINT: f64 = 120.0;
 /// What distance from its point costs, in px² a pixel.
 const FAR: f64 = 4.0;
 
 /// Upper left corners of the labels, one after another where it costs least: outside no other label, on no point, and
-/// near their own. `bounds`: left, top, right, bottom of where they may be; `points` are all that are drawn, named or not.
+/// near their own; lines that tie labels to points further away cross no label either. `bounds`: left, top, right, bottom
+/// of where they may be; `points` are all that are drawn, named or not, and samples of lines that are.
 ///
 /// Greedy, after Christensen, Marks and Shieber (1995), section 3.1: labels that find no free place overlap.
 pub fn place_labels(labels: &[Label], points: &[[f64; 2]], bounds: [f64; 4]) -> Vec<[f64; 2]> {
     let mut placed: Vec<[f64; 4]> = Vec::with_capacity(labels.len());
+    let mut taken = points.to_vec();
     for label in labels {
         let candidates = (0..RINGS).flat_map(|ring| (0..DIRECTIONS).map(move |turn| (ring, turn)));
         let boxed = candidates.map(|(ring, turn)| {
@@ -43,11 +47,14 @@ pub fn place_labels(labels: &[Label], points: &[[f64; 2]], bounds: [f64; 4]) -> 
         });
         let cost = |area: &[f64; 4]| {
             let on_labels: f64 = placed.iter().map(|other| overlap(grown(*area, GAP_PX), *other)).sum();
-            let on_points = points.iter().filter(|point| holds(grown(*area, POINT_PX), **point)).count();
-            10.0 * on_labels + ON_POINT * on_points as f64 + FAR * distance_to(*area, label.point)
+            let on_points = taken.iter().filter(|point| holds(grown(*area, POINT_PX), **point)).count();
+            let crossed = tie(*area, label.point).filter(|at| placed.iter().any(|other| holds(*other, *at))).count();
+            10.0 * on_labels + ON_POINT * (on_points + crossed) as f64 + FAR * distance_to(*area, label.point)
         };
         let best = boxed.map(|area| (cost(&area), area)).min_by(|a, b| a.0.total_cmp(&b.0));
-        placed.push(best.map_or([label.point[0], label.point[1], 0.0, 0.0], |(_, area)| area));
+        let area = best.map_or([label.point[0], label.point[1], label.point[0], label.point[1]], |(_, area)| area);
+        placed.push(area);
+        taken.extend(tie(area, label.point));
     }
     placed.into_iter().map(|[left, top, ..]| [left, top]).collect()
 }
@@ -87,6 +94,16 @@ fn holds([left, top, right, bottom]: [f64; 4], [x, y]: [f64; 2]) -> bool {
 /// Common area of two boxes.
 fn overlap(a: [f64; 4], b: [f64; 4]) -> f64 {
     (a[2].min(b[2]) - a[0].max(b[0])).max(0.0) * (a[3].min(b[3]) - a[1].max(b[1])).max(0.0)
+}
+
+/// Samples of the line between a point and its label.
+fn tie(area: [f64; 4], point: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let end = [point[0].clamp(area[0], area[2]), point[1].clamp(area[1], area[3])];
+    let steps = (distance_to(area, point) / TIE_STEP_PX).floor() as u32;
+    (1..steps).map(move |step| {
+        let share = f64::from(step) / f64::from(steps);
+        [0, 1].map(|side| point[side] + (end[side] - point[side]) * share)
+    })
 }
 
 fn distance_to([left, top, right, bottom]: [f64; 4], [x, y]: [f64; 2]) -> f64 {

@@ -62,7 +62,7 @@ impl Report {
 /// Refuses a folder that cannot take a report, before work is put into one.
 ///
 /// # Errors
-/// It is a file, cannot be made, or has a report already that is not to be replaced.
+/// It or a folder above is a file, or it has a report already that is not to be replaced.
 pub fn check_folder(folder: &Path, force: bool) -> Result<(), Failure> {
     if folder.is_file() {
         return Err(Failure::Output {
@@ -70,6 +70,8 @@ pub fn check_folder(folder: &Path, force: bool) -> Result<(), Failure> {
             help: Some("-o takes the folder to write to".to_owned()),
         });
     }
-    std::fs::create_dir_all(folder).map_err(|error| Failure::write(folder, &error))?;
+    if folder.ancestors().find(|above| above.exists()).is_some_and(Path::is_file) {
+        return Err(Failure::write(folder, &std::io::ErrorKind::NotADirectory.into()));
+    }
     [TABLE, PAGE].iter().try_for_each(|name| files::check_free(&folder.join(name), force))
 }

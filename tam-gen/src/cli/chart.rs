@@ -113,35 +113,43 @@ fn label(way: Way) -> String {
     }
 }
 
-/// What the charts show against the cost: a name for files, the axis, where it is logarithmic from, and the figure.
-type Shown = (&'static str, &'static str, Option<f64>, fn(&PlacementFigures) -> Option<f64>);
+/// What the charts show against the cost: a name for files, what is best, the axis, where it is logarithmic from, and
+/// the figure.
+type Shown = (&'static str, &'static str, &'static str, Option<f64>, fn(&PlacementFigures) -> Option<f64>);
 
 const SHOWN: [Shown; 7] = [
-    ("tone", "greatest tone error of a cell (share of ink)", Some(1e-7), |of| Some(of.tone_max)),
-    ("box-cv-1", "CV of means over S/8, column 1", None, |of| of.evenness[0].map(|column| column.box_cv)),
-    ("box-cv-3", "CV of means over S/8, column 3", None, |of| of.evenness[1].map(|column| column.box_cv)),
-    ("gap-cv-1", "CV of the gaps between strokes, column 1", None, |of| of.evenness[0].map(|column| column.gap_cv)),
-    ("gap-cv-3", "CV of the gaps between strokes, column 3", None, |of| of.evenness[1].map(|column| column.gap_cv)),
-    ("low-frequency-1", "share of power in clumps, column 1", None, |of| {
+    ("tone", "truest tones", "greatest tone error of a cell (share of ink)", Some(1e-7), |of| Some(of.tone_max)),
+    ("box-cv-1", "most even column 1", "CV of means over S/8, column 1", None, |of| {
+        of.evenness[0].map(|column| column.box_cv)
+    }),
+    ("box-cv-3", "most even column 3", "CV of means over S/8, column 3", None, |of| {
+        of.evenness[1].map(|column| column.box_cv)
+    }),
+    ("gap-cv-1", "most even gaps in column 1", "CV of the gaps between strokes, column 1", None, |of| {
+        of.evenness[0].map(|column| column.gap_cv)
+    }),
+    ("gap-cv-3", "most even gaps in column 3", "CV of the gaps between strokes, column 3", None, |of| {
+        of.evenness[1].map(|column| column.gap_cv)
+    }),
+    ("low-frequency-1", "least clumps in column 1", "share of power in clumps, column 1", None, |of| {
         of.evenness[0].map(|column| column.low_frequency)
     }),
-    ("low-frequency-3", "share of power in clumps, column 3", None, |of| {
+    ("low-frequency-3", "least clumps in column 3", "share of power in clumps, column 3", None, |of| {
         of.evenness[1].map(|column| column.low_frequency)
     }),
 ];
 
 fn charts(measured: &Measured, several: bool) -> Vec<Chart> {
     let Measured { name, preset, points } = measured;
-    let of = |(file, axis, log_from, figure): &Shown| {
+    let of = |(file, best, axis, log_from, figure): &Shown| {
         let point = |(way, figures): &(Way, PlacementFigures)| {
             let y = figure(figures)?;
             let (label, group) = (label(*way), way.group());
             Some(ChartPoint { label, group, baseline: false, x: figures.ratio(), y })
         };
         let points: Vec<ChartPoint> = points.iter().filter_map(point).collect();
-        let best = points.iter().min_by(|a, b| a.y.total_cmp(&b.y))?;
-        let what = axis.split(" (").next().unwrap_or(axis);
-        let title = format!("{name}: least {what} by {}, for {:.1} times its raster time", best.label, best.x);
+        let of = points.iter().min_by(|a, b| a.y.total_cmp(&b.y))?;
+        let title = format!("{name}, {best}: {}, at {:.1} times drawing alone", of.label, of.x);
         Some(Chart {
             name: if several { format!("{name}-{file}") } else { (*file).to_owned() },
             title,
