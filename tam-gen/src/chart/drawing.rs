@@ -5,6 +5,7 @@ use std::sync::Arc;
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::LinePlot;
+use kuva::plot::annotations::ReferenceLine;
 use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::render::color::Color;
@@ -23,6 +24,8 @@ pub struct Axis {
     pub label: String,
     /// Logarithmic from this number (> 0) on, to which smaller ones are raised; `None`: even, from 0.
     pub log_from: Option<f64>,
+    /// A number that all are compared with, and its name.
+    pub mark: Option<(f64, String)>,
 }
 
 /// A way of doing the work.
@@ -149,7 +152,9 @@ pub fn draw(chart: &Chart) -> Result<Drawn, ChartError> {
     let mut taken: Vec<[f64; 2]> = shown.iter().map(place).collect();
     taken.extend(along(&front.iter().map(place).collect::<Vec<_>>()));
     name_front(&mut scene, chart, &front, &front.iter().map(place).collect::<Vec<_>>(), &taken, &computed);
-    let svg = SvgBackend.render_scene(&scene);
+    // With a box of its own, so that it scales where it is shown.
+    let sized = format!("<svg viewBox=\"0 0 {} {}\" ", scene.width, scene.height);
+    let svg = SvgBackend.render_scene(&scene).replacen("<svg ", &sized, 1);
     let png = RasterBackend::new().with_scale(PNG_SCALE).render_scene(&scene).map_err(ChartError)?;
     Ok(Drawn { svg, png })
 }
@@ -177,7 +182,10 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
         range(&chart.y, chart.points.iter().map(|point| point.y)),
     );
     let plain = || TickFormat::Custom(Arc::new(tick));
-    let mut layout = Layout::auto_from_plots(plots)
+    // Without points there is nothing to find ranges by.
+    let empty = || Layout::new((x[0], x[1]), (y[0], y[1]));
+    let layout = if plots.is_empty() { empty() } else { Layout::auto_from_plots(plots) };
+    let mut layout = layout
         .with_width(SIZE[0])
         .with_height(SIZE[1])
         .with_title(chart.title.clone())
@@ -196,6 +204,11 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
         .with_y_axis_max(y[1])
         .with_x_tick_format(plain())
         .with_y_tick_format(plain());
+    for (axis, line) in [(&chart.x, ReferenceLine::vertical as fn(f64) -> _), (&chart.y, ReferenceLine::horizontal)] {
+        if let Some((at, name)) = &axis.mark {
+            layout = layout.with_reference_line(line(*at).with_label(name.clone()).with_color("#888888"));
+        }
+    }
     if chart.x.log_from.is_some() {
         layout = layout.with_log_x();
     }
@@ -213,7 +226,8 @@ fn hex(colour: [u8; 3], strength: f64) -> String {
 
 /// What an axis shows: all numbers, and room at the ends for dots and labels.
 fn range(axis: &Axis, numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    let numbers = numbers.filter(|number| number.is_finite());
+    let mark = axis.mark.iter().map(|(number, _)| *number);
+    let numbers = numbers.filter(|number| number.is_finite()).chain(mark);
     let (least, most) = numbers.fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
     match axis.log_from {
         Some(from) => {
@@ -316,12 +330,12 @@ mod tests {
             x: 1.0 + 0.3 * f64::from(i),
             y: 10.0 / f64::from(i + 1),
         };
-        let axis = |label: &str| Axis { label: label.into(), log_from: Some(1e-3) };
+        let axis = |label: &str| Axis { label: label.into(), log_from: Some(1e-3), mark: None };
         Chart {
             name: "test".into(),
             title: "What it says".into(),
             subtitle: "how <it> was measured".into(),
-            x: axis("cost (ms)"),
+            x: Axis { mark: Some((0.9, "yardstick".into())), ..axis("cost (ms)") },
             y: axis("error (%)"),
             groups: vec!["ours".into(), "theirs".into()],
             points: (0..5)
@@ -334,7 +348,9 @@ mod tests {
     #[test]
     fn titles_axes_groups_and_the_front_are_named_and_nothing_else_is() {
         let svg = draw(&chart()).expect("a chart").svg;
-        for text in ["What it says", "cost (ms)", "error (%)", "ours", "theirs", "way 0", "way 4", "as printed"] {
+        for text in
+            ["What it says", "cost (ms)", "error (%)", "ours", "theirs", "way 0", "way 4", "as printed", "yardstick"]
+        {
             assert!(svg.contains(text), "{text} is not in {svg}");
         }
         assert!(!svg.contains("worse") && !svg.contains("<it>"), "{svg}");

@@ -25,10 +25,12 @@ const GAP_PX: f64 = 3.0;
 const POINT_PX: f64 = 6.0;
 /// Between samples of lines.
 const TIE_STEP_PX: f64 = 5.0;
-/// What it costs a label to lie on a point, in px² for each; lying on another label costs ten times its area.
-const ON_POINT: f64 = 120.0;
-/// What distance from its point costs, in px² a pixel.
-const FAR: f64 = 4.0;
+/// What it costs a label to lie on another, in pixels of distance from its point.
+const ON_LABEL: f64 = 800.0;
+/// What it costs to lie on a point, or on a sample of a line.
+const ON_POINT: f64 = 150.0;
+/// What it costs its tie to run over a point or another label, for each sample.
+const ON_TIE: f64 = 25.0;
 
 /// Upper left corners of the labels, one after another where it costs least: outside no other label, on no point, and
 /// near their own; lines that tie labels to points further away cross no label either. `bounds`: left, top, right, bottom
@@ -46,10 +48,17 @@ pub fn place_labels(labels: &[Label], points: &[[f64; 2]], bounds: [f64; 4]) -> 
             within(beside(label, distance, angle), bounds)
         });
         let cost = |area: &[f64; 4]| {
-            let on_labels: f64 = placed.iter().map(|other| overlap(grown(*area, GAP_PX), *other)).sum();
+            let on_labels = placed.iter().filter(|other| overlap(grown(*area, GAP_PX), **other) > 0.0).count();
             let on_points = taken.iter().filter(|point| holds(grown(*area, POINT_PX), **point)).count();
-            let crossed = tie(*area, label.point).filter(|at| placed.iter().any(|other| holds(*other, *at))).count();
-            10.0 * on_labels + ON_POINT * (on_points + crossed) as f64 + FAR * distance_to(*area, label.point)
+            let over = |at: &[f64; 2]| {
+                let on_label = placed.iter().any(|other| holds(*other, *at));
+                on_label || points.iter().any(|point| hidden(*point, *at, label.point))
+            };
+            let crossed = tie(*area, label.point).filter(over).count();
+            ON_LABEL * on_labels as f64
+                + ON_POINT * on_points as f64
+                + ON_TIE * crossed as f64
+                + distance_to(*area, label.point)
         };
         let best = boxed.map(|area| (cost(&area), area)).min_by(|a, b| a.0.total_cmp(&b.0));
         let area = best.map_or([label.point[0], label.point[1], label.point[0], label.point[1]], |(_, area)| area);
@@ -104,6 +113,12 @@ fn tie(area: [f64; 4], point: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
         let share = f64::from(step) / f64::from(steps);
         [0, 1].map(|side| point[side] + (end[side] - point[side]) * share)
     })
+}
+
+/// Whether a line to `own` passes over another point at `at`.
+fn hidden(point: [f64; 2], at: [f64; 2], own: [f64; 2]) -> bool {
+    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    apart(point, at) < POINT_PX && apart(point, own) > POINT_PX
 }
 
 fn distance_to([left, top, right, bottom]: [f64; 4], [x, y]: [f64; 2]) -> f64 {

@@ -45,8 +45,8 @@ mod tests {
         let table = Table { heading: vec!["way".into(), "error".into()], rows: vec![row.clone()] };
         let bytes = table.csv().expect("as many cells as columns");
         let mut reader = csv::Reader::from_reader(&bytes[..]);
-        assert_eq!(reader.headers().expect("a heading"), &table.heading[..]);
-        assert_eq!(reader.records().next().expect("a row").expect("a good one"), &row[..]);
+        assert_eq!(reader.headers().expect("a heading"), table.heading.as_slice());
+        assert_eq!(reader.records().next().expect("a row").expect("a good one"), row);
     }
 
     #[test]

@@ -113,6 +113,15 @@ fn label(way: Way) -> String {
     }
 }
 
+/// A way beside points of its method's colour.
+fn short(way: Way) -> String {
+    match way {
+        Way::Progressive(effort) => format!("effort {effort}"),
+        Way::Praun(candidates) => format!("{candidates} candidates"),
+        Way::Random => "by chance".to_owned(),
+    }
+}
+
 /// What the charts show against the cost: a name for files, what is best, the axis, where it is logarithmic from, and
 /// the figure.
 type Shown = (&'static str, &'static str, &'static str, Option<f64>, fn(&PlacementFigures) -> Option<f64>);
@@ -144,18 +153,23 @@ fn charts(measured: &Measured, several: bool) -> Vec<Chart> {
     let of = |(file, best, axis, log_from, figure): &Shown| {
         let point = |(way, figures): &(Way, PlacementFigures)| {
             let y = figure(figures)?;
-            let (label, group) = (label(*way), way.group());
+            let (label, group) = (short(*way), way.group());
             Some(ChartPoint { label, group, baseline: false, x: figures.ratio(), y })
         };
         let points: Vec<ChartPoint> = points.iter().filter_map(point).collect();
         let of = points.iter().min_by(|a, b| a.y.total_cmp(&b.y))?;
-        let title = format!("{name}, {best}: {}, at {:.1} times drawing alone", of.label, of.x);
+        let title =
+            format!("{name}, {best}: {} {}, at {:.1} times drawing alone", Way::GROUPS[of.group], of.label, of.x);
         Some(Chart {
             name: if several { format!("{name}-{file}") } else { (*file).to_owned() },
             title,
             subtitle: format!("{} px, {} tones", preset.map.size, preset.map.tones.count()),
-            x: Axis { label: "CPU time over drawing the same strokes once (ratio)".into(), log_from: Some(0.1) },
-            y: Axis { label: (*axis).to_owned(), log_from: *log_from },
+            x: Axis {
+                label: "CPU time over drawing the same strokes once (ratio)".into(),
+                log_from: Some(0.1),
+                mark: Some((1.0, "drawing alone".into())),
+            },
+            y: Axis { label: (*axis).to_owned(), log_from: *log_from, mark: None },
             groups: Way::GROUPS.map(String::from).to_vec(),
             points,
         })

@@ -14,8 +14,9 @@ use crate::params::{Method, RenderParams};
 use crate::renderer::{RenderError, Renderer};
 use crate::scene::Scene;
 
-/// Half a stroke on the screen, and a pixel: how far ink is looked for in the nearer picture.
-const REACH_PX: f64 = 1.0 + ZOOM;
+/// How far ink is looked for: in the nearer picture, half a stroke of 2 px seen so much larger, and a pixel; in the
+/// farther one, half a stroke.
+const REACH_PX: [f64; 2] = [1.0 + ZOOM, 1.0];
 
 /// Cost and errors of one way. What cannot be measured is left out: `phong` has no strokes, crisp patterns may have no
 /// edges to cross.

@@ -32,9 +32,9 @@ pub struct Zoom {
 /// Deaths and births of ink between a far view and a near one of the same surface.
 ///
 /// A pixel of a stroke (ink ≥ 0.6) of one view is dead, or new-born, where the other has no ink of 0.2 or more within
-/// `reach_px` of its place, in pixels of that other view: half a stroke's width, times the zoom where the other is
-/// nearer, and a pixel. So strokes may get thinner on the surface, as those of constant width on the screen do, and a
-/// stroke half faded in counts as neither.
+/// reach of its place. `reach_px`: in pixels of the near view, half a stroke as wide as it is seen there, and a pixel, so
+/// that strokes may get thinner on the surface, as those of constant width on the screen do; and in pixels of the far
+/// view, about half a stroke. A stroke half faded in counts as neither.
 ///
 /// `forth` leads from the far view to the near one, `back` the other way. By chance: the share of places without ink
 /// within reach, weighted by the far view's coverage over `sigma_px` (two stroke periods or more), as dark places have
@@ -43,12 +43,12 @@ pub fn zoom(
     [far, near]: [&Plane; 2],
     [far_aov, near_aov]: [&Aov; 2],
     [forth, back]: [&Track; 2],
-    reach_px: f64,
+    reach_px: [f64; 2],
     sigma_px: f64,
 ) -> Option<Zoom> {
-    let lost = gone(near, near_aov, forth, reach_px);
+    let lost = gone(near, near_aov, forth, reach_px[0]);
     let (deaths, pixels) = share(far, &lost);
-    let (births, _) = share(near, &gone(far, far_aov, back, reach_px));
+    let (births, _) = share(near, &gone(far, far_aov, back, reach_px[1]));
     let mask = forth.mask();
     let coverage = MaskedBlur::new(far.size, &mask, sigma_px).apply(&far.pixels);
     let (mut chance, mut whole) = (0.0, 0.0);
@@ -98,8 +98,8 @@ mod tests {
     const SIZE: [u32; 2] = [240, 180];
     /// From the far view to the near one.
     const FACTOR: f64 = 2.0;
-    /// Half a stroke of 2 px as it is seen nearer, and a pixel.
-    const REACH_PX: f64 = 3.0;
+    /// Half a stroke of 2 px as it is seen nearer, and a pixel; and half a stroke.
+    const REACH_PX: [f64; 2] = [3.0, 1.0];
 
     /// Level strokes in units of near pixels: left end, middle and length.
     fn strokes(count: usize, seed: u64) -> Vec<(DVec2, f64)> {
@@ -166,6 +166,6 @@ mod tests {
     fn no_strokes_have_no_zoom() {
         let aov = flat_aov([8, 8], 0.0, 0.0);
         let (paper, still) = (Plane::from_fn([8, 8], |_, _| 0.0), Track::still(&aov));
-        assert_eq!(zoom([&paper, &paper], [&aov, &aov], [&still, &still], 2.0, 4.0), None);
+        assert_eq!(zoom([&paper, &paper], [&aov, &aov], [&still, &still], [2.0, 1.0], 4.0), None);
     }
 }
