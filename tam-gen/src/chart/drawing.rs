@@ -326,7 +326,7 @@ mod tests {
         let point = |i: u32| ChartPoint {
             label: format!("way {i}"),
             group: i as usize % 2,
-            baseline: i % 3 == 0,
+            baseline: i.is_multiple_of(3),
             x: 1.0 + 0.3 * f64::from(i),
             y: 10.0 / f64::from(i + 1),
         };

@@ -12,7 +12,7 @@ use tam_gen::command::words::{duration, milliseconds, path_text};
 use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::chart::{Figures, MapChoice, Setting, Way, measure_way};
 use tam_viewer::gpu::Picture;
-use tam_viewer::{FrameTimer, Mapping, Method};
+use tam_viewer::{Form, FrameTimer, Mapping, Method, RenderParams};
 
 use super::parse;
 use super::report as failure;
@@ -132,13 +132,23 @@ fn measure(args: &ChartArgs, measured: &mut Measured, output: &Output) -> Result
     let choices: Vec<MapChoice> = maps.iter().map(|map| map.choice).collect();
     let setting = Setting { mesh: gpu_mesh, target, timer: &timer };
     let mut points: Vec<Point> = Vec::new();
-    for way in ways.iter() {
+    for (done, way) in ways.iter().enumerate() {
         interrupt::stop_if_happened()?;
-        progress.set(points.len() as f32 / ways.len() as f32);
+        progress.set(done as f32 / ways.len() as f32);
         let (figures, picture) =
             measure_way(renderer, &setting, mesh, &maps[way.map], views, way, args.pairs()).map_err(failure::render)?;
+        if draws_the_same(&points, way, &picture) {
+            continue;
+        }
         let picture = Some(picture).filter(|_| way.map == 0);
         points.push(Point { way: *way, label: way.label(&choices), figures, picture });
     }
     Ok(points)
+}
+
+/// Whether a literal form draws what the hardened one drew already: it is no way of its own in this scene.
+fn draws_the_same(points: &[Point], way: &Way, picture: &Picture) -> bool {
+    let hardened = Way { params: RenderParams { form: Form::Hardened, ..way.params }, ..*way };
+    let same = |point: &Point| point.way == hardened && point.picture.as_ref() == Some(picture);
+    hardened != *way && points.iter().any(same)
 }

@@ -17,9 +17,6 @@ use super::{ChartArgs, Point};
 /// Breaks at edges up to this are none: they are counted over about 10⁴ pairs of pixels.
 const EDGE_NOISE: f64 = 0.02;
 
-/// Costs beyond this have a logarithmic axis.
-const LARGEST_EVEN: f64 = 12.0;
-
 /// Longer side of the pictures on the page.
 const THUMBNAIL_PX: u32 = 192;
 
@@ -101,14 +98,13 @@ fn chart(shown: &Shown, measured: &Measured, points: &[Point]) -> Option<Chart> 
         })
     };
     let points: Vec<ChartPoint> = drawn().filter_map(charted).collect();
-    let spread = points.iter().map(|point| point.x).fold(1.0, f64::max);
     let mut chart = Chart {
         name: shown.file.to_owned(),
         title: String::new(),
         subtitle: subtitle(measured),
         x: Axis {
             label: "time of a frame over that of phong (ratio)".into(),
-            log_from: (spread > LARGEST_EVEN).then_some(0.1),
+            log_from: Some(0.1),
             mark: Some((1.0, Method::Phong.name().to_owned())),
         },
         y: Axis { label: shown.axis.to_owned(), log_from: shown.log_from, mark: None },
