@@ -8,6 +8,8 @@
 //!
 //! Generation is deterministic to the byte for a preset, whatever the number of threads or the machine.
 
+#[doc(hidden)]
+pub mod chart;
 pub mod checks;
 #[cfg(feature = "cli")]
 pub mod command;

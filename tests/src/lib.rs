@@ -2,6 +2,7 @@
 
 pub mod adapter;
 pub mod app;
+pub mod charts;
 pub mod command;
 pub mod gpu;
 pub mod measure;

@@ -14,6 +14,7 @@ pub mod scene;
 
 pub mod reference;
 
+pub mod chart;
 pub mod inspect;
 pub mod measure;
 

@@ -12,7 +12,6 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use tam_gen::preset::PlacementMethod;
-use tam_gen::raster::{Footprint, Grain, Nib, over};
 use tam_gen::sequence::{Draw, Sequence};
 use tam_gen::{Generator, Job, Map, Preset, measure};
 
@@ -61,7 +60,7 @@ fn row(preset: &Preset, size: u32) -> Row {
         // Interleaved, so that a change of the machine's speed meets both.
         for _ in 0..3 {
             let start = ProcessTime::now();
-            rasterise_once(&map);
+            measure::rasterise_once(&map).expect("the tips were read before");
             raster_times.push(start.elapsed());
         }
     }
@@ -72,28 +71,6 @@ fn row(preset: &Preset, size: u32) -> Row {
         cpu_ms: median_ms(map_times),
         raster_ms: median_ms(raster_times),
         map: Some(map),
-    }
-}
-
-/// The bound: every stroke of every level drawn once, nothing else. All families of the preset share one grain.
-fn rasterise_once(map: &Map) {
-    let nibs: Vec<Nib> = map.strokes.families.iter().map(|family| Nib::new(family).expect("no tip")).collect();
-    let mut footprint = Footprint::default();
-    for (level, first_column) in map.grid.drawn().iter().zip(&map.strokes.first_column) {
-        let grain = |amount: f64| Grain::new(amount as f32, level.size, map.preset.seed);
-        let common = grain(map.preset.stroke.grain);
-        let mut ink = vec![0_u8; (level.size * level.size) as usize];
-        for (stroke, first) in map.strokes.strokes.iter().zip(first_column) {
-            if *first == tam_gen::StrokeList::NEVER {
-                continue;
-            }
-            let family = usize::from(stroke.family);
-            nibs[family].footprint(stroke, level.size, &common, &mut footprint);
-            for (texel, above) in footprint.iter() {
-                ink[texel] = over(ink[texel], above);
-            }
-        }
-        std::hint::black_box(&ink);
     }
 }
 

@@ -37,6 +37,8 @@ pub(super) enum Command {
     Check(super::check::CheckArgs),
     /// Draw a contact sheet of a map or preset
     Sheet(super::sheet::SheetArgs),
+    /// Chart what ways of placing strokes cost against how even they lie
+    Chart(super::chart::ChartArgs),
     /// List, show and start presets
     Presets(super::presets::PresetsArgs),
     /// Print the JSON schema of preset files

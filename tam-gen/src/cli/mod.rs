@@ -1,6 +1,7 @@
 //! The command line: parse, turn into options, call the library.
 
 mod args;
+mod chart;
 mod check;
 mod generate;
 mod presets;
@@ -58,6 +59,7 @@ fn dispatch(command: &Command, output: &Output) -> Result<Outcome, Failure> {
         Command::Generate(args) => generate::run(args, output),
         Command::Check(args) => check::run(args, output),
         Command::Sheet(args) => sheet::run(args, output),
+        Command::Chart(args) => chart::run(args, output),
         Command::Presets(args) => presets::run(args, output),
         Command::Schema(args) => schema::run(args, output),
         Command::Watch(args) => watch::run(args, output),

@@ -7,6 +7,7 @@ mod centre_lines;
 mod ink;
 mod length;
 mod level_nesting;
+mod raster_once;
 mod seam;
 mod stroke_map;
 mod tone;
@@ -18,6 +19,7 @@ pub use centre_lines::{CentreLines, centre_line_floor, centre_lines, missing_cen
 pub use ink::{full_ink, share_at_least};
 pub use length::{LengthBias, length_bias};
 pub use level_nesting::{LevelNesting, level_nesting, level_nesting_reach, lost_texels};
+pub use raster_once::rasterise_once;
 pub use seam::{Seam, line_differences, seam};
 pub use stroke_map::{PatternMatch, pattern_match, pattern_mismatch, threshold_share};
 pub use tone::{ToneErrors, tone_errors, tones};

@@ -51,6 +51,8 @@ pub(super) enum Command {
     Render(Box<super::render::RenderArgs>),
     /// Draw all methods side by side on one sheet, with what a frame costs
     Compare(Box<super::compare::CompareArgs>),
+    /// Chart what all methods cost against how far they are from what is wanted
+    Chart(Box<super::chart::ChartArgs>),
     /// Draw frames of a moving camera, light or mesh
     Turntable(Box<super::turntable::TurntableArgs>),
     /// Draw the direction field and the patches of a mesh, to inspect them

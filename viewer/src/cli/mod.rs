@@ -4,6 +4,7 @@ mod adapters;
 #[cfg(feature = "app")]
 mod app;
 mod args;
+mod chart;
 mod compare;
 mod field;
 mod meshes;
@@ -63,6 +64,7 @@ fn dispatch(command: &Command, output: &Output) -> Result<(), Failure> {
         Command::App(args) => app::run(args),
         Command::Render(args) => render::run(args, output),
         Command::Compare(args) => compare::run(args, output),
+        Command::Chart(args) => chart::run(args, output),
         Command::Turntable(args) => turntable::run(args, output),
         Command::Field(args) => field::run(args, output),
         Command::Meshes(args) => meshes::run(args, output),

@@ -174,7 +174,7 @@ fn notes(loaded: &Loaded, output: &Output) {
 }
 
 /// Moves the vertices to where time and deformation want them.
-fn pose(mesh: &mut Mesh, view: &ViewArgs) -> Result<(), Failure> {
+pub(super) fn pose(mesh: &mut Mesh, view: &ViewArgs) -> Result<(), Failure> {
     if view.time.is_some() && mesh.animation.is_none() {
         return Err(Failure::usage(
             format!("--time: the mesh `{}` has no animation", mesh.name),
@@ -199,7 +199,7 @@ fn pose(mesh: &mut Mesh, view: &ViewArgs) -> Result<(), Failure> {
 }
 
 /// Puts the whole mesh into the picture, as far as the user leaves the camera free.
-fn place_camera(scene: &mut Scene, view: &ViewArgs, positions: &[Vec3], size: [u32; 2]) {
+pub(super) fn place_camera(scene: &mut Scene, view: &ViewArgs, positions: &[Vec3], size: [u32; 2]) {
     match (view.fits_distance(), view.target) {
         (true, None) => frame_mesh(scene, positions, size),
         (true, Some(_)) => scene.camera.distance = distance_for(scene, positions, size),

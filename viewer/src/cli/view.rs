@@ -192,6 +192,12 @@ pub(super) fn method() -> impl TypedValueParser<Value = Method> {
         .map(|name| Method::named(&name).expect("the parser lets only these names through"))
 }
 
+/// Reads the name of a mapping, and lists all in the help.
+pub(super) fn mapping() -> impl TypedValueParser<Value = Mapping> {
+    PossibleValuesParser::new(Mapping::ALL.map(Mapping::name))
+        .map(|name| Mapping::named(&name).expect("the parser lets only these names through"))
+}
+
 /// Reads the name of a debug view; the help says what each shows.
 fn debug_view() -> impl TypedValueParser<Value = DebugView> {
     let names = DebugView::ALL.map(|view| PossibleValue::new(view.name()).help(view.description()));

@@ -12,6 +12,7 @@ use wgpu::util::DeviceExt;
 use super::surface::SurfaceBuffers;
 use super::{Gpu, GpuError, Layouts};
 use crate::mesh::{self, Mesh};
+use crate::params::RenderParams;
 
 /// A mesh's buffers. Topology is fixed; positions may change by [`GpuMesh::update`].
 pub struct GpuMesh {
@@ -177,6 +178,11 @@ impl GpuMesh {
     /// Bytes of all its buffers on the GPU.
     pub fn bytes(&self) -> u64 {
         self.bytes + self.surface.bytes()
+    }
+
+    /// Bytes of the buffers that a way to draw reads: the mesh with its faces, and of the surface what its strokes lie by.
+    pub fn bytes_for(&self, params: &RenderParams) -> u64 {
+        self.bytes + self.surface.bytes_for(params)
     }
 }
 

@@ -5,7 +5,7 @@ use tam_shaders::types::{self, StripePhases};
 use wgpu::util::DeviceExt;
 
 use super::{Gpu, GpuError, Layouts};
-use crate::params::{Follow, Mapping};
+use crate::params::{Follow, Mapping, Method, RenderParams};
 use crate::surface::patches::turns::Turns;
 use crate::surface::{Graph, Patches, Stripes, Surface};
 
@@ -113,6 +113,14 @@ impl SurfaceBuffers {
     pub(crate) fn bytes(&self) -> u64 {
         let patches: u64 = [&self.patches, &self.lapped].into_iter().flatten().map(|patches| patches.bytes).sum();
         patches + self.stripes.along.size() + self.stripes.across.size()
+    }
+
+    /// Bytes of those that a way to draw reads.
+    pub(crate) fn bytes_for(&self, params: &RenderParams) -> u64 {
+        let patches = params.needed_mapping().and_then(|mapping| self.of(mapping)).map_or(0, |patches| patches.bytes);
+        let [along, across] = [&self.stripes.along, &self.stripes.across].map(wgpu::Buffer::size);
+        let stripes = if params.method == Method::Stripes { along } else { 0 };
+        patches + stripes + if stripes > 0 && params.cross_from.is_some() { across } else { 0 }
     }
 }
 

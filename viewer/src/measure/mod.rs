@@ -3,7 +3,7 @@
 //! ```text
 //! mesh, scene, field ─► aov (what is wanted at each pixel) ─┐
 //! rendered pixels ────► ink ────────────────────────────────┴─► tone | direction | run length | greyness | edges | width
-//! two or three frames ─► track (where surface points go) ─────► coherence | light swimming | popping | flicker
+//! two or three frames ─► track (where surface points go) ─────► coherence | light swimming | popping | flicker | zoom
 //! ```
 //!
 //! All are functions of pictures on the CPU, the same for any number of threads. Ink is averaged in linear light;
@@ -26,6 +26,7 @@ mod testing;
 mod tone;
 mod track;
 mod width;
+mod zoom;
 
 pub use aov::{Aov, Strokes, Surface};
 pub use blur::MaskedBlur;
@@ -42,3 +43,4 @@ pub use structure::structure;
 pub use tone::{Errors, Tone, tone};
 pub use track::Track;
 pub use width::{Width, stroke_width, width_constancy};
+pub use zoom::{Zoom, zoom};

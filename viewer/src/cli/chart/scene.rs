@@ -1,0 +1,136 @@
+//! What is measured: the scene, loaded and uploaded, with its views and all ways to draw it.
+
+use tam_gen::Job;
+use tam_gen::command::{Failure, Output, Progress, interrupt};
+use tam_viewer::chart::{MapChoice, Maps, Views, Way, WaysOptions, ways};
+use tam_viewer::gpu::{Gpu, GpuMesh, PixelFormat, Target};
+use tam_viewer::measure::Strokes;
+use tam_viewer::mesh::Mesh;
+use tam_viewer::surface::{Surface, SurfaceOptions};
+use tam_viewer::{Follow, Form, Mapping, Method, Renderer, Scene};
+
+use super::super::stage::{place_camera, pose};
+use super::super::{report, source};
+use super::{ChartArgs, MAPPINGS};
+
+/// Everything that the figures are measured of.
+pub(super) struct Measured {
+    pub(super) renderer: Renderer,
+    pub(super) mesh: Mesh,
+    pub(super) gpu_mesh: GpuMesh,
+    pub(super) target: Target,
+    pub(super) map_name: String,
+    pub(super) maps: Vec<Maps>,
+    pub(super) views: Views,
+    pub(super) ways: Vec<Way>,
+}
+
+impl Measured {
+    /// Loads mesh and maps, opens the adapter, makes the surface, and sets up the views.
+    pub(super) fn open(args: &ChartArgs, output: &Output) -> Result<Self, Failure> {
+        let view = &args.view;
+        if view.surface.follow() == Follow::Light || view.object.iter().any(|object| object.map.is_some()) {
+            return Err(Failure::usage(
+                "a chart compares ways to draw with one map that lies still on the surface",
+                "leave out --follow light and maps of single objects",
+            ));
+        }
+        interrupt::catch();
+        let mut mesh = source::mesh(&view.mesh, view.triangles)?.mesh;
+        pose(&mut mesh, view)?;
+        let methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
+        let mappings = mappings(args, &mesh)?;
+        let renderer = Renderer::new(Gpu::open(&view.adapter.options()).map_err(report::gpu)?);
+        // Half floats, so that small changes are not lost in steps of the picture's own.
+        let target = renderer.target(args.size, 1, PixelFormat::Linear16).map_err(report::gpu)?;
+        let (map_name, maps, colours) = maps(args, output)?;
+        let mut scene = view.scene(&mesh, colours, &vec![None; view.object.len()])?;
+        place_camera(&mut scene, view, &mesh.positions, args.size);
+
+        let params = view.params(Method::Phong, &mesh, args.size);
+        let (mesh, surface) = surface(args, mesh, &scene, &methods, &mappings, output)?;
+        let mut gpu_mesh = renderer.mesh(&mesh).map_err(report::gpu)?;
+        renderer.attach(&mut gpu_mesh, &surface).map_err(report::gpu)?;
+        interrupt::stop_if_happened()?;
+        let strokes = Strokes { graph: &surface.graph, field: &surface.field };
+        let views = Views::new(&mesh, &scene, args.size, Some(strokes)).map_err(|error| report::reference(&error))?;
+        let choices: Vec<MapChoice> = maps.iter().map(|map| map.choice).collect();
+        let crossing = surface.stripes.as_ref().is_some_and(|stripes| !stripes.across.is_empty());
+        let mut ways = ways(&WaysOptions {
+            base: params,
+            methods: &methods,
+            mappings: &mappings,
+            maps: &choices,
+            stroke_maps: maps.iter().all(|map| map.whole.stroke_map.is_some()),
+            stripes: [crossing, surface.patches.is_some()],
+        });
+        if args.quick {
+            ways.retain(|way| way.params.form == Form::Hardened);
+        }
+        Ok(Self { renderer, mesh, gpu_mesh, target, map_name, maps, views, ways })
+    }
+}
+
+/// The mappings asked for, or those that the mesh has.
+fn mappings(args: &ChartArgs, mesh: &Mesh) -> Result<Vec<Mapping>, Failure> {
+    let given = if args.view.mapping_given() { vec![args.view.mapping(mesh)] } else { args.mappings.clone() };
+    if given.contains(&Mapping::Uv) && mesh.uvs.is_empty() {
+        return Err(Failure::usage(format!("the mesh `{}` has no uv", mesh.name), "the other mappings need none"));
+    }
+    if !given.is_empty() {
+        return Ok(given);
+    }
+    Ok(MAPPINGS.into_iter().filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect())
+}
+
+/// The maps in all sizes and tones, the name of what they are of, and the colours of paper and ink.
+type NamedMaps = (String, Vec<Maps>, Option<([f32; 3], [f32; 3])>);
+
+fn maps(args: &ChartArgs, output: &Output) -> Result<NamedMaps, Failure> {
+    let cancel = interrupt::flag();
+    let map = source::map(&args.view.map, &[], cancel, output)?;
+    let (name, colours) = (map.name.clone(), source::colours(&map));
+    let Some(preset) = map.preset.clone() else {
+        output.remark("note: the map has no preset, so it is measured in its own size and tones only");
+        return Ok((name, vec![Maps::of(map)], colours));
+    };
+    let tones = preset.map.tones.count() as u32;
+    let mut choices: Vec<(u32, Option<u32>)> = args.sizes.iter().map(|size| (*size, None)).collect();
+    choices.extend(args.tones.iter().filter(|count| **count != tones).map(|count| (args.sizes[0], Some(*count))));
+    if args.quick {
+        choices.truncate(1);
+    }
+    let progress = Progress::new("generating", output.quiet || output.json);
+    let mut maps: Vec<Maps> = Vec::new();
+    for (size, tones) in &choices {
+        progress.set(maps.len() as f32 / choices.len() as f32);
+        let job = Job { progress: None, cancel: Some(cancel), measure: None };
+        maps.push(Maps::generate(&name, &preset, *size, *tones, &job)?);
+    }
+    Ok((name, maps, colours))
+}
+
+/// The surface for all methods and mappings, and the mesh that it belongs to; the field alone where none needs more.
+fn surface(
+    args: &ChartArgs,
+    mesh: Mesh,
+    scene: &Scene,
+    methods: &[Method],
+    mappings: &[Mapping],
+    output: &Output,
+) -> Result<(Mesh, Surface), Failure> {
+    let view = &args.view;
+    let mut mappings = if methods.iter().any(|method| method.takes_mapping()) { mappings.to_vec() } else { Vec::new() };
+    if methods.contains(&Method::Stripes) && !mappings.contains(&Mapping::Patches) {
+        // The strokes of varied stripes lie on them.
+        mappings.push(Mapping::Patches);
+    }
+    let params = view.params(Method::Phong, &mesh, args.size);
+    if let Some(made) = view.surface.build(&mesh, scene, methods, &mappings, &params, output)? {
+        return Ok(made);
+    }
+    let options = SurfaceOptions { field: view.surface.field(&mesh, scene)?, ..SurfaceOptions::default() };
+    let job = Job { progress: None, cancel: Some(interrupt::flag()), measure: None };
+    let surface = Surface::new_with(&mesh, &options, &job).map_err(report::surface)?;
+    Ok((mesh, surface))
+}
