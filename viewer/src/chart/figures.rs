@@ -155,7 +155,7 @@ fn sweep(
     let popping = popping(&changes.collect::<Vec<_>>());
     figures.popping_slope = popping.map(|popping| popping.slope);
     figures.popping_rest = popping.map(|popping| popping.remainder);
-    let swimming = light_swimming(&inks[0], &inks[steps], &views.still.aov, options.tone_sigma_px);
+    let swimming = light_swimming(&inks[0], &inks[steps], [&views.still.aov, &views.swept], options.tone_sigma_px);
     figures.swimming = swimming.map(|swimming| swimming.swimming);
     Ok(())
 }

@@ -34,6 +34,8 @@ pub struct Views {
     pub(super) zoomed: View,
     /// The scene under each light of the sweep, the still one first.
     pub(super) sweep: Vec<Scene>,
+    /// What is wanted at its end.
+    pub(super) swept: Aov,
     pub(super) to_turned: Track,
     pub(super) to_nearer: Track,
     pub(super) to_zoomed: Track,
@@ -60,9 +62,11 @@ impl Views {
         let (turned, nearer, zoomed) = (view(orbit)?, view(magnified(scene, NEARER))?, view(magnified(scene, ZOOM))?);
         let steps = 1 << HALVINGS;
         let sweep = (0..=steps).map(|step| relit(scene, SWEEP_DEG * f64::from(step) / f64::from(steps))).collect();
+        let swept = view(relit(scene, SWEEP_DEG))?.aov;
         let track = |from: &View, to: &View| Track::new(&from.aov, &to.aov, mesh, &to.scene);
         Ok(Self {
             sweep,
+            swept,
             to_turned: track(&still, &turned),
             to_nearer: track(&still, &nearer),
             to_zoomed: track(&still, &zoomed),
