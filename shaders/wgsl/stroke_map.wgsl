@@ -18,7 +18,7 @@ fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
             return threshold_one_sided(d, halftone_threshold(uv.y, lines), material.slope);
         }
         var t_per_px = length(vec2f(dpdx(uv.y), dpdy(uv.y)));
-        if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
+        if MAPPING != MAPPING_UV && MAPPING != MAPPING_TRIPLANAR {
             // Fragments of a quad may lie on different faces.
             t_per_px = tiles_per_px;
         }

@@ -171,9 +171,6 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     let (mut pixels, mut differing, mut sum, mut outline) = (0.0, 0.0, 0.0, 0.0);
     for (i, pixel) in found.iter().enumerate() {
         let covered = pixel[3] != 0.0;
-        if reads_frames_of_helpers(params) && !is_inside(&twin.faces, i) {
-            continue;
-        }
         if covered != (twin.coverage[i] > 0.0) {
             outline += 1.0;
         } else if covered {
@@ -191,20 +188,6 @@ fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh)
     }
     assert!(pixels > 0.1 * f64::from(SIDE * SIDE), "{pixels} pixels are drawn");
     Difference { share: differing / pixels, mean: sum / pixels, outline: outline / f64::from(SIDE * SIDE) }
-}
-
-/// Whether fragments take derivatives of what comes from the faces' frames. Fragments that only help their neighbours
-/// read nothing from buffers on Mesa's software driver (22.3), so a difference to them is none.
-fn reads_frames_of_helpers(params: &RenderParams) -> bool {
-    params.method == Method::Halftone && params.form == Form::Hardened && params.mapping == Mapping::Frames
-}
-
-/// Whether all four pixels of a pixel's quad show the same face.
-fn is_inside(faces: &[u32], i: usize) -> bool {
-    let side = SIDE as usize;
-    let (x, y) = (i % side / 2 * 2, i / side / 2 * 2);
-    let first = y * side + x;
-    [1, side, side + 1].iter().all(|step| faces[first + step] == faces[first])
 }
 
 /// Greatest share of pixels that differ, and greatest mean difference. Samplers weigh texels in steps of 1/256 and may

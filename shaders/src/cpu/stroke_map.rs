@@ -32,8 +32,8 @@ pub fn pattern_ink(b: &Bindings<'_>, at: &Quad<Sampled>, lane: usize, d: f64) ->
         }
         let t = at.map(|at| at.uv.y);
         let t_per_px = match b.options.mapping {
-            Mapping::Patches | Mapping::Lapped => here.tiles_per_px,
-            _ => t.dpdx(lane).hypot(t.dpdy(lane)),
+            Mapping::Uv | Mapping::Triplanar => t.dpdx(lane).hypot(t.dpdy(lane)),
+            Mapping::Frames | Mapping::Patches | Mapping::Lapped => here.tiles_per_px,
         };
         return halftone_ink(here.uv.y, t_per_px, b.material.line_period_px, d);
     }
