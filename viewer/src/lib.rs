@@ -15,6 +15,7 @@ pub mod scene;
 pub mod reference;
 
 pub mod chart;
+pub mod fit;
 pub mod inspect;
 pub mod measure;
 

@@ -35,6 +35,12 @@ impl fmt::Display for Range {
 pub const AZIMUTH_DEG: Range = Range::new(-36_000.0, 36_000.0, "degrees");
 /// Angles above the horizon.
 pub const ELEVATION_DEG: Range = Range::new(-90.0, 90.0, "degrees");
+/// Distances of the camera as multiples of its own.
+pub const FIT_DISTANCE: Range = Range::new(0.05, 100.0, "");
+/// Turns of cameras and lights from where they are.
+pub const FIT_TURN_DEG: Range = Range::new(-360.0, 360.0, "degrees");
+/// Errors of tone, in linear ink.
+pub const FIT_ERROR: Range = Range::new(1e-4, 0.9, "");
 /// Distance of the camera from its target.
 pub const DISTANCE: Range = Range::new(0.01, 1000.0, "units");
 /// Coordinates.

@@ -18,4 +18,5 @@ pub use cost::{Cost, Setting, cost};
 pub use figures::{Figures, measure_way};
 pub use maps::{MapChoice, Maps, one_family};
 pub use views::Views;
+pub(crate) use views::relit;
 pub use ways::{VARIETY, Way, WaysOptions, ways};

@@ -94,7 +94,7 @@ fn magnified(scene: &Scene, factor: f64) -> Scene {
 }
 
 /// The scene with its lights turned about the upright axis through what the camera looks at.
-fn relit(scene: &Scene, turn_deg: f64) -> Scene {
+pub(crate) fn relit(scene: &Scene, turn_deg: f64) -> Scene {
     let mut scene = scene.clone();
     let turn = DQuat::from_rotation_y(turn_deg.to_radians());
     let about = scene.camera.target;

@@ -94,6 +94,16 @@ fn mixes_columns(method: Method) -> bool {
 }
 
 impl Way {
+    /// Whether it samples a map at all.
+    pub fn samples_map(&self) -> bool {
+        samples_map(self.params.method)
+    }
+
+    /// Whether the map's own tones count.
+    pub fn mixes_columns(&self) -> bool {
+        mixes_columns(self.params.method)
+    }
+
     /// Method, mapping and form in words, for a picture of it.
     pub fn name(&self) -> String {
         let RenderParams { method, mapping, form, .. } = self.params;

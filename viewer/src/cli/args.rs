@@ -53,6 +53,8 @@ pub(super) enum Command {
     Compare(Box<super::compare::CompareArgs>),
     /// Chart what all methods cost against how far they are from what is wanted
     Chart(Box<super::chart::ChartArgs>),
+    /// Find the least that a scene needs: method, columns, levels and resolution within an error of tone
+    Fit(Box<super::fit::FitArgs>),
     /// Draw frames of a moving camera, light or mesh
     Turntable(Box<super::turntable::TurntableArgs>),
     /// Draw the direction field and the patches of a mesh, to inspect them

@@ -7,6 +7,7 @@ mod args;
 mod chart;
 mod compare;
 mod field;
+mod fit;
 mod meshes;
 mod object;
 mod parse;
@@ -65,6 +66,7 @@ fn dispatch(command: &Command, output: &Output) -> Result<(), Failure> {
         Command::Render(args) => render::run(args, output),
         Command::Compare(args) => compare::run(args, output),
         Command::Chart(args) => chart::run(args, output),
+        Command::Fit(args) => fit::run(args, output),
         Command::Turntable(args) => turntable::run(args, output),
         Command::Field(args) => field::run(args, output),
         Command::Meshes(args) => meshes::run(args, output),
