@@ -12,6 +12,7 @@ use super::thumbnails::{ThumbnailRequest, Thumbnails};
 use super::worker::{Wake, Worker};
 use crate::RenderError;
 use crate::gpu::GpuError;
+use crate::maps::HatchMap;
 
 /// Whether a picture is one of many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +33,8 @@ pub struct Shown {
     pub stillness: Stillness,
     /// Counts pictures.
     pub number: u64,
+    /// The map that it was drawn with, on the side of the document.
+    pub map: Option<Arc<HatchMap>>,
 }
 
 impl Shown {
@@ -103,7 +106,8 @@ impl Studio {
                 let Painted { image, cost } = painter.paint(shot)?;
                 self.number += 1;
                 let image = Arc::new(color_image(&image));
-                reply(PictureReply::Shown(Shown { image, cost, stillness: *stillness, number: self.number }));
+                let map = shot.sides.first().map(|side| Arc::clone(&side.map));
+                reply(PictureReply::Shown(Shown { image, cost, stillness: *stillness, number: self.number, map }));
             }
             PictureRequest::Thumbnail(request) => {
                 if let Some(image) = self.thumbnails.paint(painter, request)? {
