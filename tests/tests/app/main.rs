@@ -1,0 +1,6 @@
+//! The application, used through its window.
+
+mod controls;
+mod files;
+mod helpers;
+mod view;
