@@ -17,6 +17,7 @@ pub mod reference;
 pub mod chart;
 pub mod inspect;
 pub mod measure;
+pub mod stability;
 
 mod frame;
 pub mod gpu;
