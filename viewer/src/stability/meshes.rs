@@ -115,7 +115,7 @@ pub(super) const CASES: [Case; 12] = [
         hardened: Hardened::Holds,
         holds: Limit::Above(100.0),
         reason: "The camera's range is taken from all vertices: one that is no number takes the whole picture with it. The \
-                 square alone has thousands of pixels, a fifth of them inked.",
+                 square alone has thousands of pixels, half of them inked.",
         run: no_numbers,
     },
     Case {

@@ -17,7 +17,11 @@ const CONTINUOUS: Limit = Limit::Above(0.9);
 const SLOPES: &str = "Changes that are continuous shrink as the step, slope 1; a pop stays as large however short the step, \
                       slope 0. Steps of 1/8 to 1/32 of the span are compared.";
 
-pub(super) const CASES: [Case; 5] = [
+/// Of the methods whose tone lies between columns, or is a threshold.
+const BY_DEGREES: Literal =
+    Literal::Holds("the tone is between two columns, or strokes have a soft edge, in both forms");
+
+pub(super) const CASES: [Case; 9] = [
     Case {
         name: "light sweep across a face's normal",
         method: "face-frame",
@@ -41,6 +45,50 @@ pub(super) const CASES: [Case; 5] = [
         run: |stand| swept(stand, 0.5053, 0.5, 0.02),
     },
     Case {
+        name: "light sweep: six columns",
+        method: "six-way",
+        failure: "Strokes of the next column appear.",
+        figure: SLOPE,
+        literal: BY_DEGREES,
+        hardened: Hardened::Holds,
+        holds: CONTINUOUS,
+        reason: SLOPES,
+        run: |stand| relit(stand, Method::SixWay),
+    },
+    Case {
+        name: "light sweep: many columns",
+        method: "fine-tone",
+        failure: "Strokes of the next column appear.",
+        figure: SLOPE,
+        literal: BY_DEGREES,
+        hardened: Hardened::Holds,
+        holds: CONTINUOUS,
+        reason: SLOPES,
+        run: |stand| relit(stand, Method::FineTone),
+    },
+    Case {
+        name: "light sweep: thresholds",
+        method: "stroke-map",
+        failure: "A whole stroke passes its threshold.",
+        figure: SLOPE,
+        literal: BY_DEGREES,
+        hardened: Hardened::Holds,
+        holds: CONTINUOUS,
+        reason: SLOPES,
+        run: |stand| relit(stand, Method::StrokeMap),
+    },
+    Case {
+        name: "light sweep: lines",
+        method: "halftone",
+        failure: "Lines widen.",
+        figure: SLOPE,
+        literal: BY_DEGREES,
+        hardened: Hardened::Holds,
+        holds: CONTINUOUS,
+        reason: SLOPES,
+        run: |stand| relit(stand, Method::Halftone),
+    },
+    Case {
         name: "orbit around a shining surface",
         method: "face-frame",
         failure: "The highlight moves, and the tone passes from one column to the next.",
@@ -60,7 +108,7 @@ pub(super) const CASES: [Case; 5] = [
         hardened: Hardened::Holds,
         holds: CONTINUOUS,
         reason: SLOPES,
-        run: |stand| zoomed(stand, Method::FineTone, 5.6, 1.01),
+        run: |stand| zoomed(stand, Method::FineTone, 3.97, 1.01),
     },
     Case {
         name: "zoom: lines that double",
@@ -140,6 +188,18 @@ fn swept(stand: &mut Stand, intensity: f64, from: f64, by: f64) -> Result<[Side;
         scene
     };
     film(stand, 1, &mesh, |form| drawn_by(Method::FaceFrame, form), lit)
+}
+
+/// A ring under a light that turns by half a degree.
+fn relit(stand: &mut Stand, method: Method) -> Result<[Side; 2], StabilityError> {
+    let mesh = sample(Sample::Torus, 3_000)?;
+    let lit = |t: f64| {
+        let angle_rad = 0.5_f64.to_radians() * t + 0.4;
+        let mut scene = scene_with(light_from(dvec3(angle_rad.sin(), 0.6, angle_rad.cos())));
+        scene.camera.elevation_deg = 35.0;
+        scene
+    };
+    film(stand, 1, &mesh, |form| drawn_by(method, form), lit)
 }
 
 /// A long lens, so that the view is nearly the same all over the front of the cube, and a broad highlight.

@@ -16,7 +16,7 @@ use crate::scene::Scene;
 /// Side of the pictures that are measured, where a case does not ask for another.
 pub(super) const SIDE: u32 = 96;
 /// Side of a frame that is shown.
-pub(super) const SHOWN: u32 = 200;
+pub(super) const SHOWN: u32 = 150;
 /// Between frames that are shown.
 const GAP: u32 = 6;
 /// What is no number.
