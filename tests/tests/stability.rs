@@ -18,7 +18,6 @@ fn check(name: &str) {
     for outcome in &outcomes {
         let case = outcome.case;
         let figures = format!("literal {}, hardened {}", outcome.literal.figure, outcome.hardened.figure);
-        println!("{}: {figures}", case.name);
         assert_eq!(outcome.literal_fails(), matches!(case.literal, Literal::Fails(_)), "{}: {figures}", case.name);
         assert_eq!(outcome.hardened_holds(), case.hardened == Hardened::Holds, "{}: {figures}", case.name);
         assert_ne!(outcome.verdict(), Verdict::Unexpected, "{}: {figures}", case.name);
