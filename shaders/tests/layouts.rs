@@ -247,6 +247,7 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("FRAMES_FETCHED", Frames::Fetched as u32 as f64),
         ("SINE_BAND", single(face_frame::SINE_BAND)),
         ("MAX_SLOPE", single(threshold::MAX_SLOPE)),
+        ("ROWS_PER_LEVEL", threshold::ROWS_PER_LEVEL as f64),
         ("FADE_FROM", single(stripes::FADE_FROM)),
         ("FADE_TO", single(stripes::FADE_TO)),
         ("VARIED", 0.0),

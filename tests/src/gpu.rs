@@ -1,10 +1,12 @@
 //! Drawing in tests: on the software adapter, unless `WGPU_ADAPTER_NAME` asks for another.
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use tam_gen::{Job, Preset};
 use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, GpuOptions, PixelFormat};
 use tam_viewer::maps::HatchMap;
-use tam_viewer::mesh::{Mesh, Placement, RawMesh, prepare};
+use tam_viewer::mesh::Mesh;
+use tam_viewer::stability;
+pub use tam_viewer::stability::{difference, light_from, nan_count};
 use tam_viewer::surface::{LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions};
 use tam_viewer::{Camera, Light, Lights, Mapping, Method, RenderParams, Renderer, Scene};
 
@@ -130,68 +132,10 @@ pub fn scene_with(light: Light) -> Scene {
     Scene { camera: front_camera(), lights: Lights { ambient: 0.0, lights: vec![light] }, ..Scene::default() }
 }
 
-/// A directional light from this side.
-pub fn light_from(direction: DVec3) -> Light {
-    Light { kind: tam_viewer::LightKind::Directional { direction: -direction }, intensity: 1.0 }
-}
-
 /// A mesh from corners and triangles, loaded as any file is.
 ///
 /// # Panics
 /// If nothing is left of it.
 pub fn loaded(positions: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
-    let raw = RawMesh { positions: positions.to_vec(), triangles: triangles.to_vec(), ..RawMesh::default() };
-    prepare(raw).expect("a mesh").mesh
-}
-
-/// A mesh as it is, without what loading mends: no welding, no orientation, no scaling. Neighbours are found by equal
-/// vertex indices, as an implementation without those steps would.
-pub fn unmended(positions: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
-    let neighbour = |face: usize, a: u32, b: u32| {
-        let shares = |corners: &[u32; 3]| corners.contains(&a) && corners.contains(&b);
-        let found = triangles.iter().enumerate().find(|(other, corners)| *other != face && shares(corners));
-        found.map_or(tam_viewer::mesh::NONE, |(other, _)| other as u32)
-    };
-    let normals = positions.iter().map(|p| p.normalize_or(Vec3::Z)).collect();
-    let count = positions.len() as u32;
-    Mesh {
-        name: "unmended".into(),
-        normals,
-        positions: positions.to_vec(),
-        uvs: Vec::new(),
-        points: (0..count).collect(),
-        point_count: positions.len(),
-        normal_groups: (0..count).collect(),
-        midpoints: Vec::new(),
-        sources: (0..count).collect(),
-        neighbours: triangles
-            .iter()
-            .enumerate()
-            .map(|(face, c)| [neighbour(face, c[0], c[1]), neighbour(face, c[1], c[2]), neighbour(face, c[2], c[0])])
-            .collect(),
-        parts: vec![tam_viewer::mesh::Part {
-            name: String::new(),
-            colour: [1.0; 3],
-            triangles: 0..triangles.len() as u32,
-        }],
-        triangles: triangles.to_vec(),
-        placement: Placement { centre: DVec3::ZERO, scale: 1.0 },
-        animation: None,
-    }
-}
-
-/// Pixels that hold something that is no number.
-pub fn nan_count(pixels: &[[f32; 4]]) -> usize {
-    pixels.iter().filter(|pixel| pixel.iter().any(|channel| !channel.is_finite())).count()
-}
-
-/// Mean absolute difference of the first channel, over pixels drawn in either picture.
-pub fn difference(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
-    let differences: Vec<f64> = a
-        .iter()
-        .zip(b)
-        .filter(|(a, b)| a[0] != 1.0 || b[0] != 1.0)
-        .map(|(a, b)| f64::from((a[0] - b[0]).abs()))
-        .collect();
-    differences.iter().sum::<f64>() / differences.len().max(1) as f64
+    stability::loaded(positions, triangles).expect("a mesh")
 }

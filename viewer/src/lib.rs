@@ -18,6 +18,7 @@ pub mod chart;
 pub mod fit;
 pub mod inspect;
 pub mod measure;
+pub mod stability;
 
 mod frame;
 pub mod gpu;

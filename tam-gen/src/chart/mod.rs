@@ -22,7 +22,7 @@ mod table;
 pub use drawing::{Axis, Chart, ChartPoint, Drawn, draw};
 pub use labels::{Label, place_labels};
 #[cfg(feature = "cli")]
-pub use page::{Page, Thumbnail, html};
+pub use page::{PAGE_CSS, Page, Thumbnail, html};
 pub use pareto::pareto_front;
 #[cfg(feature = "cli")]
 pub use report::{ChartError, Report, check_folder};

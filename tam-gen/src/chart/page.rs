@@ -31,6 +31,9 @@ pub struct Page {
     pub thumbnails: Vec<Thumbnail>,
 }
 
+/// How pages with figures look.
+pub const PAGE_CSS: &str = include_str!("page.css");
+
 /// The page, which refers to nothing outside itself.
 pub fn html(page: &Page, charts: &[(Chart, Drawn)], table: &Table) -> String {
     let whole = markup! {
@@ -40,7 +43,7 @@ pub fn html(page: &Page, charts: &[(Chart, Drawn)], table: &Table) -> String {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (page.title) }
-                style { (PreEscaped(include_str!("page.css"))) }
+                style { (PreEscaped(PAGE_CSS)) }
             }
             body {
                 main {

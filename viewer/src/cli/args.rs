@@ -15,7 +15,8 @@ Examples:
 
 Exit status:
   0    all is well
-  1    something the work needs is not as it should be: adapter, mesh, map, or the place to write
+  1    something the work needs is not as it should be: adapter, mesh, map, or the place to write; or a case of
+       `stability` is not as it says
   2    the arguments make no sense
   130  interrupted: nothing was written";
 
@@ -55,6 +56,8 @@ pub(super) enum Command {
     Chart(Box<super::chart::ChartArgs>),
     /// Find the least that a scene needs: method, columns, levels and resolution within an error of tone
     Fit(Box<super::fit::FitArgs>),
+    /// Draw the cases where methods fail, as printed and hardened, and measure both
+    Stability(super::stability::StabilityArgs),
     /// Draw frames of a moving camera, light or mesh
     Turntable(Box<super::turntable::TurntableArgs>),
     /// Draw the direction field and the patches of a mesh, to inspect them

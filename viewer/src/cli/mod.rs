@@ -14,6 +14,7 @@ mod parse;
 mod render;
 mod report;
 mod source;
+mod stability;
 mod stage;
 mod surface;
 mod turntable;
@@ -37,8 +38,8 @@ pub(crate) fn run() -> ExitCode {
     // A window must be on the first thread of the process, which no pool has.
     #[cfg(feature = "app")]
     let done = match &cli.command {
-        None => app::run(&app::AppArgs::default()),
-        Some(Command::App(args)) => app::run(args),
+        None => app::run(&app::AppArgs::default()).map(|()| ExitCode::SUCCESS),
+        Some(Command::App(args)) => app::run(args).map(|()| ExitCode::SUCCESS),
         Some(command) => in_pool(cli.common.threads, || dispatch(command, &output)),
     };
     #[cfg(not(feature = "app"))]
@@ -47,7 +48,7 @@ pub(crate) fn run() -> ExitCode {
         Some(command) => in_pool(cli.common.threads, || dispatch(command, &output)),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(status) => status,
         Err(failure) => {
             output.failure(&failure);
             ExitCode::from(match failure {
@@ -59,19 +60,22 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
-fn dispatch(command: &Command, output: &Output) -> Result<(), Failure> {
-    match command {
+/// The exit status of a command that did its work.
+fn dispatch(command: &Command, output: &Output) -> Result<ExitCode, Failure> {
+    let done = match command {
         #[cfg(feature = "app")]
         Command::App(args) => app::run(args),
         Command::Render(args) => render::run(args, output),
         Command::Compare(args) => compare::run(args, output),
         Command::Chart(args) => chart::run(args, output),
         Command::Fit(args) => fit::run(args, output),
+        Command::Stability(args) => return stability::run(args, output),
         Command::Turntable(args) => turntable::run(args, output),
         Command::Field(args) => field::run(args, output),
         Command::Meshes(args) => meshes::run(args, output),
         Command::Adapters(args) => adapters::run(args, output),
         Command::Completions(args) => shell::completions(Cli::command(), args, output),
         Command::Man(args) => shell::man(Cli::command(), args, output),
-    }
+    };
+    done.map(|()| ExitCode::SUCCESS)
 }

@@ -4,6 +4,7 @@ use tam_gen::command::Failure;
 use tam_viewer::RenderError;
 use tam_viewer::gpu::{GpuError, MapError};
 use tam_viewer::mesh::MeshError;
+use tam_viewer::stability::StabilityError;
 use tam_viewer::surface::SurfaceError;
 use tam_viewer::surface::guides::GuideError;
 use tam_viewer::surface::store::StoreError;
@@ -84,6 +85,19 @@ pub(super) fn write(error: WriteError) -> Failure {
 
 pub(super) fn reference(error: &tam_viewer::reference::ReferenceError) -> Failure {
     work("picture", error, "choose another --side")
+}
+
+pub(super) fn stability(error: StabilityError) -> Failure {
+    match error {
+        StabilityError::Render(error) => render(error),
+        StabilityError::Mesh(error) => mesh(error),
+        StabilityError::Surface(error) => surface(error),
+        StabilityError::Reference(error) => reference(&error),
+        StabilityError::Generate(error) => error.into(),
+        StabilityError::Preset(_) | StabilityError::Nothing(_) => {
+            work("case", &error, "--adapter draws with another device")
+        }
+    }
 }
 
 pub(super) fn store(path: &std::path::Path, error: &StoreError) -> Failure {
