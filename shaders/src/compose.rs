@@ -23,13 +23,15 @@ pub enum Pass {
     Stripes,
     /// What a method works with, in its ink's place.
     Debug,
+    /// The edges that are contours, borders and creases.
+    LineEdges,
     /// Contours, borders, creases and the wireframe.
     Lines,
 }
 
 impl Pass {
     /// All passes.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::FaceGeometry,
         Self::FaceFrames,
         Self::Phong,
@@ -40,6 +42,7 @@ impl Pass {
         Self::FineTone,
         Self::Stripes,
         Self::Debug,
+        Self::LineEdges,
         Self::Lines,
     ];
 
@@ -56,6 +59,7 @@ impl Pass {
             Self::FineTone => "fine_tone",
             Self::Stripes => "stripes",
             Self::Debug => "debug",
+            Self::LineEdges => "line_edges",
             Self::Lines => "lines",
         }
     }
@@ -72,6 +76,7 @@ impl Pass {
             Self::FineTone => include_str!("../wgsl/fine_tone.wgsl"),
             Self::Stripes => include_str!("../wgsl/stripes.wgsl"),
             Self::Debug => include_str!("../wgsl/debug.wgsl"),
+            Self::LineEdges => include_str!("../wgsl/line_edges.wgsl"),
             Self::Lines => include_str!("../wgsl/lines.wgsl"),
         }
     }
@@ -92,6 +97,7 @@ pieces!(
     "columns",
     "corners",
     "directions",
+    "edges",
     "face_frame",
     "form",
     "halftone",

@@ -139,7 +139,7 @@ pub struct Material {
     pub tones: [[f32; 4]; 17],
 }
 
-/// `LineStyle` of `lines.wgsl`.
+/// `LineStyle` of `lib/edges.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct LineStyle {
@@ -163,7 +163,7 @@ pub struct LineStyle {
     pub _pad_b: u32,
 }
 
-/// `Edge` of `lines.wgsl`.
+/// `Edge` of `lib/edges.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 pub struct Edge {

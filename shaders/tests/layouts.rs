@@ -4,9 +4,9 @@ use std::any::type_name;
 use std::mem::{offset_of, size_of};
 
 use naga::{ArraySize, Expression, Literal, Module, ScalarKind, Type, TypeInner};
-use tam_shaders::cpu::lib::{colour, directions, face_frame, patches, scene, stripes, strokes, threshold};
+use tam_shaders::cpu::lib::{colour, directions, edges, face_frame, patches, scene, stripes, strokes, threshold};
 use tam_shaders::cpu::{
-    self, Blend, DebugView, Follow, Form, Frames, Mapping, PatternKind, debug, face_geometry, lines,
+    self, Blend, DebugView, Follow, Form, Frames, Mapping, PatternKind, debug, face_geometry, line_edges, lines,
 };
 use tam_shaders::types::{
     Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
@@ -279,10 +279,13 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("LEAST_AREA", single(face_geometry::LEAST_AREA)),
         ("PULL_WIDTHS", single(lines::PULL_WIDTHS)),
         ("ASIDE_WIDTHS", single(lines::ASIDE_WIDTHS)),
-        ("LINE_NONE", lines::LineKind::None as u32 as f64),
-        ("LINE_CENTRED", lines::LineKind::Centred as u32 as f64),
-        ("LINE_RIGHT", lines::LineKind::Right as u32 as f64),
-        ("LINE_LEFT", lines::LineKind::Left as u32 as f64),
+        ("BLOCK_EDGES", line_edges::BLOCK_EDGES as f64),
+        ("BLOCK_LANES", line_edges::BLOCK_LANES as f64),
+        ("SUMMING_LANES", line_edges::SUMMING_LANES as f64),
+        ("LINE_NONE", edges::LineKind::None as u32 as f64),
+        ("LINE_CENTRED", edges::LineKind::Centred as u32 as f64),
+        ("LINE_RIGHT", edges::LineKind::Right as u32 as f64),
+        ("LINE_LEFT", edges::LineKind::Left as u32 as f64),
     ];
     let mut seen = Vec::new();
     for pass in Pass::ALL {

@@ -1,36 +1,11 @@
-// Contour, border and crease lines, or all edges: one quad per edge of the mesh, as wide as asked on the screen, with
-// round ends.
-// Praun and others, "Real-Time Hatching", 2001, section 2: silhouettes complete hatched drawings. An edge is a contour
-// where one face is seen from the front and the other from behind, so contours lie exactly where the drawn mesh ends.
+// Contour, border and crease lines, or all edges: one quad per line, as wide as asked on the screen, with round ends.
+// Praun and others, "Real-Time Hatching", 2001, section 2.
 //!include lib/scene.wgsl
-//!include lib/mesh.wgsl
+//!include lib/mesh_types.wgsl
+//!include lib/edges.wgsl
 
-struct LineStyle {
-    // Linear light; alpha is opacity.
-    colour: vec4f,
-    width_px: f32,
-    // Edges whose face normals have a smaller dot product are creases.
-    crease_cosine: f32,
-    contours: u32,
-    borders: u32,
-    creases: u32,
-    // Not 0: every edge is a line.
-    edges: u32,
-    _pad_a: u32,
-    _pad_b: u32,
-}
-
-struct Edge {
-    // Vertices of its two ends.
-    a: u32,
-    b: u32,
-    // Faces on its two sides; the second may be NO_FACE.
-    left: u32,
-    right: u32,
-}
-
-@group(2) @binding(0) var<uniform> style: LineStyle;
-@group(2) @binding(1) var<storage, read> edges: array<Edge>;
+// The edges that are lines: see line_edges.wgsl. Not read where every edge is one.
+@group(2) @binding(2) var<storage, read> listed: array<u32>;
 
 struct LineOut {
     @builtin(position) clip: vec4f,
@@ -44,44 +19,6 @@ struct LineOut {
 const PULL_WIDTHS: f32 = 1.0;
 // How far contours stand beside their edge, in widths; a little less than half, so that no gap is left.
 const ASIDE_WIDTHS: f32 = 0.4;
-
-fn faces_camera(face: u32, p_world: vec3f) -> bool {
-    return dot(face_normals[face].xyz, scene.camera_world - p_world) > 0.0;
-}
-
-const LINE_NONE: u32 = 0u;
-// In the middle of its edge.
-const LINE_CENTRED: u32 = 1u;
-// Contours: beside the edge, on the side where the surface ends. The other side rises towards the camera and would
-// hide its half of the line.
-const LINE_RIGHT: u32 = 2u;
-const LINE_LEFT: u32 = 3u;
-
-fn line_kind(edge: Edge, p_world: vec3f) -> u32 {
-    if style.edges != 0u {
-        return LINE_CENTRED;
-    }
-    // A face without area has no normal to judge by.
-    if face_normals[edge.left].w == 0.0 {
-        return LINE_NONE;
-    }
-    if edge.right == NO_FACE {
-        return select(LINE_NONE, LINE_CENTRED, style.borders != 0u);
-    }
-    if face_normals[edge.right].w == 0.0 {
-        return LINE_NONE;
-    }
-    let front = faces_camera(edge.left, p_world);
-    if style.contours != 0u && front != faces_camera(edge.right, p_world) {
-        return select(LINE_LEFT, LINE_RIGHT, front);
-    }
-    let sharp = dot(face_normals[edge.left].xyz, face_normals[edge.right].xyz) < style.crease_cosine;
-    return select(LINE_NONE, LINE_CENTRED, style.creases != 0u && sharp);
-}
-
-fn end_world(vertex: u32) -> vec3f {
-    return (scene.world_from_mesh * vec4f(vertices[vertex].position, 1.0)).xyz;
-}
 
 // Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point itself.
 fn pulled_clip(p_world: vec3f) -> vec4f {
@@ -99,7 +36,7 @@ fn px_from_clip(clip: vec4f) -> vec2f {
 
 @vertex
 fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) index: u32) -> LineOut {
-    let edge = edges[index];
+    let edge = edges[select(listed[index], index, style.edges != 0u)];
     var out: LineOut;
     // Outside the clip volume: nothing is drawn.
     out.clip = vec4f(2.0, 2.0, 2.0, 1.0);

@@ -2,7 +2,7 @@
 
 use crate::gpu::{GpuMap, GpuMesh, Target};
 use crate::params::RenderParams;
-use crate::passes::{Lines, Shading};
+use crate::passes::{Faces, Lines, Shading};
 use crate::renderer::{RenderError, Renderer};
 use crate::scene::Scene;
 use crate::timer::FrameTimer;
@@ -25,7 +25,7 @@ impl Renderer {
         self.render_timed(scene, params, mesh, maps, target, None)
     }
 
-    /// The same, with a timer around the drawing passes.
+    /// The same, with a timer around all passes.
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -44,18 +44,27 @@ impl Renderer {
         let culled = mesh.closed && scene.world_from_mesh.determinant() > 0.0;
         let pipeline = shading.pipeline(gpu, layouts, &prepared.variant, target.format, target.samples, culled);
         let has_lines = Lines::drawn(params).next().is_some();
-        let line_pipeline = has_lines.then(|| lines.pipeline(gpu, target.format, target.samples));
+        let line_pipeline = has_lines.then(|| lines.pipeline(gpu, target.format, target.samples).clone());
 
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let with_frames = prepared.variant.frames;
-        faces.record(&mut encoder, scene_group, &prepared.scene, mesh, params.form, with_frames);
+        let due = Faces::due(&prepared.scene, mesh, params.form, with_frames);
+        let computes = !due.is_none() || params.silhouettes.is_some();
+        if computes {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: Some("before the frame"),
+                timestamp_writes: timer.and_then(FrameTimer::begins),
+            });
+            faces.record(&mut pass, scene_group, mesh, &due);
+            lines.list(&mut pass, scene_group, mesh, params);
+        }
         {
             let colour = [Some(colour_attachment(scene, target))];
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("frame"),
                 color_attachments: &colour,
                 depth_stencil_attachment: Some(depth_attachment(target)),
-                timestamp_writes: timer.and_then(FrameTimer::writes),
+                timestamp_writes: timer.and_then(|timer| timer.ends(computes)),
                 occlusion_query_set: None,
                 multiview_mask: None,
             });
@@ -65,7 +74,7 @@ impl Renderer {
             Shading::record(&mut pass, pipeline, scene_group, mesh, mapping, &prepared.variant, materials);
             if let Some(line_pipeline) = line_pipeline {
                 for kind in Lines::drawn(params) {
-                    Lines::record(&mut pass, line_pipeline, scene_group, mesh, kind);
+                    Lines::record(&mut pass, &line_pipeline, scene_group, mesh, kind);
                 }
             }
         }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use crate::gpu::{Gpu, GpuError};
 use crate::renderer::Renderer;
 
-/// Measures the drawing passes of frames.
+/// Measures all passes of frames.
 pub struct FrameTimer {
     queries: Option<Queries>,
     period_ns: f64,
@@ -42,10 +42,20 @@ impl FrameTimer {
         Self { queries, period_ns: f64::from(gpu.queue.get_timestamp_period()) }
     }
 
-    pub(crate) fn writes(&self) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
-        self.queries.as_ref().map(|queries| wgpu::RenderPassTimestampWrites {
+    /// The frame begins with a compute pass.
+    pub(crate) fn begins(&self) -> Option<wgpu::ComputePassTimestampWrites<'_>> {
+        self.queries.as_ref().map(|queries| wgpu::ComputePassTimestampWrites {
             query_set: &queries.set,
             beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: None,
+        })
+    }
+
+    /// The frame ends with this pass, which is all of it unless it was begun before.
+    pub(crate) fn ends(&self, begun: bool) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        self.queries.as_ref().map(|queries| wgpu::RenderPassTimestampWrites {
+            query_set: &queries.set,
+            beginning_of_pass_write_index: (!begun).then_some(0),
             end_of_pass_write_index: Some(1),
         })
     }

@@ -15,6 +15,7 @@ pub mod face_geometry;
 pub mod fine_tone;
 pub mod image;
 pub mod lib;
+pub mod line_edges;
 pub mod lines;
 pub mod options;
 pub mod phong;

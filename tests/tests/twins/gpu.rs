@@ -2,6 +2,7 @@
 
 use naga::valid::{Capabilities as NagaCapabilities, ValidationFlags, Validator};
 use tam_shaders::cpu::Options;
+use wgpu::util::DeviceExt;
 
 /// Sides of the picture whose pixels are the cases of a run.
 pub(crate) const SIDE: u32 = 64;
@@ -111,38 +112,38 @@ impl Gpu {
         self.read(&download)
     }
 
-    /// Runs a compute pass over a number of faces and returns what it wrote to the variables named.
-    pub(crate) fn compute<const N: usize>(
+    /// Runs an entry point of a compute pass in groups, and returns what it wrote to some of its buffers.
+    pub(crate) fn compute<T: bytemuck::Pod, const N: usize>(
         &self,
-        source: &str,
+        (source, entry_point): (&str, &str),
         options: Options,
-        faces: u32,
+        groups: u32,
         resource: Resource<'_>,
         written: [&wgpu::Buffer; N],
-    ) -> [Vec<[f32; 4]>; N] {
-        let bound = bound_variables(source, "main");
+    ) -> [Vec<T>; N] {
+        let bound = bound_variables(source, entry_point);
         let module = self.module(source);
         let constants = constants(source, options);
         let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: None,
             layout: None,
             module: &module,
-            entry_point: Some("main"),
+            entry_point: Some(entry_point),
             compilation_options: wgpu::PipelineCompilationOptions {
                 constants: &constants,
                 zero_initialize_workgroup_memory: true,
             },
             cache: None,
         });
-        let groups = self.bind_groups(&bound, resource, |group| pipeline.get_bind_group_layout(group));
+        let bindings = self.bind_groups(&bound, resource, |group| pipeline.get_bind_group_layout(group));
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&pipeline);
-            for (group, bindings) in &groups {
+            for (group, bindings) in &bindings {
                 pass.set_bind_group(*group, bindings, &[]);
             }
-            pass.dispatch_workgroups(faces.div_ceil(64), 1, 1);
+            pass.dispatch_workgroups(groups, 1, 1);
         }
         let downloads = written.map(|buffer| {
             let download = self.download_buffer(buffer.size());
@@ -151,6 +152,13 @@ impl Gpu {
         });
         self.queue.submit([encoder.finish()]);
         downloads.map(|download| self.read(&download))
+    }
+
+    /// A buffer that passes read and write.
+    pub(crate) fn storage(&self, words: &[u32]) -> wgpu::Buffer {
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let contents = bytemuck::cast_slice(words);
+        self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
     }
 
     fn module(&self, source: &str) -> wgpu::ShaderModule {
@@ -186,7 +194,7 @@ impl Gpu {
         self.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
     }
 
-    fn read(&self, download: &wgpu::Buffer) -> Vec<[f32; 4]> {
+    fn read<T: bytemuck::Pod>(&self, download: &wgpu::Buffer) -> Vec<T> {
         download.map_async(wgpu::MapMode::Read, .., |mapped| mapped.expect("results can be read"));
         self.device.poll(wgpu::PollType::wait_indefinitely()).expect("the device finishes");
         let view = download.get_mapped_range(..).expect("results are mapped");

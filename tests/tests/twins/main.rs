@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 
 use glam::DVec4;
 use tam_shaders::cpu::lib::mesh_types::FaceFrame;
-use tam_shaders::cpu::{Form, Options, face_frames, face_geometry};
+use tam_shaders::cpu::{Form, Options, face_frames, face_geometry, line_edges};
 use tam_shaders::{Capabilities, Pass, compose};
 
 use gpu::Gpu;
@@ -49,7 +49,8 @@ fn every_shader_function_has_a_row() {
     for pass in Pass::ALL {
         let source = compose(pass, Capabilities::default());
         let names = source.lines().filter_map(|line| line.strip_prefix("fn ")?.split('(').next());
-        functions.extend(names.filter(|name| !["vertex", "fragment", "main"].contains(name)).map(str::to_owned));
+        let entry_points = ["vertex", "fragment", "main", "mark", "sum", "list"];
+        functions.extend(names.filter(|name| !entry_points.contains(name)).map(str::to_owned));
     }
     let rows: BTreeSet<String> = tables::all().iter().map(|row| row.name.to_owned()).collect();
     assert_eq!(functions.difference(&rows).collect::<Vec<_>>(), Vec::<&String>::new(), "functions without a row");
@@ -67,6 +68,7 @@ fn worst(found: &[[f32; 4]], expected: &[DVec4]) -> f64 {
 #[test]
 fn face_passes_fill_the_buffers_that_their_twins_fill() {
     let gpu = Gpu::new();
+    let groups = (FACES as u32).div_ceil(64);
     for (setting, form) in
         Setting::all().iter().flat_map(|setting| [(setting, Form::Hardened), (setting, Form::Literal)])
     {
@@ -78,7 +80,8 @@ fn face_passes_fill_the_buffers_that_their_twins_fill() {
 
         let source = compose(Pass::FaceGeometry, Capabilities::default());
         let resource = |name: &str| uploaded.resource(name);
-        let [found_normals, found_planes] = gpu.compute(&source, options, FACES as u32, &resource, [normals, planes]);
+        let [found_normals, found_planes] =
+            gpu.compute::<[f32; 4], 2>((&source, "main"), options, groups, &resource, [normals, planes]);
         let mut twin_normals = vec![DVec4::ZERO; FACES];
         let mut twin_planes = vec![DVec4::ZERO; 2 * FACES];
         let (vertices, indices) = (b.mesh.vertices, b.mesh.indices);
@@ -94,7 +97,7 @@ fn face_passes_fill_the_buffers_that_their_twins_fill() {
         assert!(error < 1e-5, "planes, {form:?}: {error} of the greatest");
 
         let source = compose(Pass::FaceFrames, Capabilities::default());
-        let [found] = gpu.compute(&source, options, FACES as u32, &resource, [frames]);
+        let [found] = gpu.compute::<[f32; 4], 1>((&source, "main"), options, groups, &resource, [frames]);
         let mut twin_frames = vec![FaceFrame::default(); FACES];
         face_frames::main(form, b.scene, vertices, indices, &twin_normals, &mut twin_frames);
         for (face, twin) in twin_frames[..whole].iter().enumerate() {
@@ -112,6 +115,53 @@ fn face_passes_fill_the_buffers_that_their_twins_fill() {
             }
         }
     }
+}
+
+/// More edges than one lane of the sum has blocks for, and a block that is not full.
+const MANY_EDGES: usize = 2 * line_edges::SUMMING_LANES * line_edges::BLOCK_EDGES + 777;
+
+#[test]
+fn edges_that_are_lines_are_listed_as_their_twins_list_them() {
+    let gpu = Gpu::new();
+    let source = compose(Pass::LineEdges, Capabilities::default());
+    let mut listed_somewhere = false;
+    for setting in Setting::all() {
+        let options = Options::default();
+        let b = setting.bindings(options);
+        let uploaded = Uploaded::new(&gpu, &setting, &[]);
+        // Neither a period of the blocks nor of the lanes.
+        let edges: Vec<_> = (0..MANY_EDGES).map(|i| setting.edges[i * i % 1009 % FACES]).collect();
+        let blocks = MANY_EDGES.div_ceil(line_edges::BLOCK_EDGES);
+        let buffer = |words: usize| gpu.storage(&vec![u32::MAX; words]);
+        let own = [
+            ("edges", gpu.storage(bytemuck::cast_slice(&edges))),
+            ("listed", buffer(MANY_EDGES)),
+            ("marks", buffer(blocks)),
+            ("before", buffer(blocks)),
+            ("arguments", buffer(4)),
+        ];
+        let [_, listed, marks, before, arguments] = own.each_ref().map(|(_, buffer)| buffer);
+        let resource = |name: &str| {
+            let own = own.iter().find(|(of, _)| *of == name).map(|(_, buffer)| buffer.as_entire_binding());
+            own.or_else(|| uploaded.resource(name))
+        };
+        let groups = blocks.div_ceil(line_edges::BLOCK_LANES) as u32;
+        let run = |entry, groups| {
+            gpu.compute::<u32, 4>((&source, entry), options, groups, &resource, [listed, marks, before, arguments])
+        };
+        run("mark", groups);
+        run("sum", 1);
+        let [listed, marks, before, arguments] = run("list", groups);
+
+        let twin = line_edges::mark(b.scene, &b.mesh, &setting.twin.style, &edges);
+        assert_eq!(marks, twin);
+        let sums = line_edges::sum(&twin);
+        assert_eq!((&before, &arguments), (&sums.0, &vec![4, sums.1, 0, 0]));
+        assert_eq!(listed[..sums.1 as usize], line_edges::list(&twin, &sums));
+        assert!(listed[sums.1 as usize..].iter().all(|entry| *entry == u32::MAX), "more was listed");
+        listed_somewhere |= (1..MANY_EDGES as u32).contains(&sums.1);
+    }
+    assert!(listed_somewhere, "no setting has some edges that are lines and some that are none");
 }
 
 /// Only so that the harness cannot pass by comparing nothing.

@@ -1,13 +1,13 @@
 //! What the functions under test are bound to: a few scenes, materials and maps, on both sides.
 
 use glam::{DVec2, DVec4, Mat4, Vec3};
+use tam_shaders::cpu::lib::edges::LineStyle;
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
 use tam_shaders::cpu::lib::patches::{PatchTable, TURNS, pack_place, pack_tens};
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lib::threshold::ROWS_PER_LEVEL;
-use tam_shaders::cpu::lines::LineStyle;
 use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
 use tam_shaders::types::{self, Edge, NO_FACE};
 use wgpu::util::DeviceExt;

@@ -10,6 +10,9 @@ pub(crate) struct Layouts {
     pub surface: wgpu::BindGroupLayout,
     pub face_geometry: wgpu::BindGroupLayout,
     pub face_frames: wgpu::BindGroupLayout,
+    /// Of the mesh, what lines are found and drawn by.
+    pub line_mesh: wgpu::BindGroupLayout,
+    pub line_edges: wgpu::BindGroupLayout,
     pub lines: wgpu::BindGroupLayout,
 }
 
@@ -71,7 +74,12 @@ impl Layouts {
             ),
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),
             face_frames: layout("face_frames", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(5)]),
-            lines: layout("lines", &[uniform(0, BOTH, false), storage(1, VERTEX)]),
+            line_mesh: layout("line_mesh", &[storage(0, VERTEX | COMPUTE), storage(4, VERTEX | COMPUTE)]),
+            line_edges: layout(
+                "line_edges",
+                &[uniform(0, COMPUTE, false), storage(1, COMPUTE), written(2), written(3), written(4), written(5)],
+            ),
+            lines: layout("lines", &[uniform(0, BOTH, false), storage(1, VERTEX), storage(2, VERTEX)]),
         }
     }
 }

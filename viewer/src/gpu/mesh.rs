@@ -6,6 +6,7 @@ use std::sync::Mutex;
 use glam::Vec3;
 use rayon::prelude::*;
 use tam_shaders::cpu::lib::octahedral::oct_encode;
+use tam_shaders::cpu::line_edges::BLOCK_EDGES;
 use tam_shaders::types::{self, NO_FACE};
 use wgpu::util::DeviceExt;
 
@@ -19,6 +20,8 @@ pub struct GpuMesh {
     pub(crate) index_buffer: wgpu::Buffer,
     pub(crate) vertex_buffer: wgpu::Buffer,
     pub(crate) edge_count: u32,
+    /// How the edges that are lines are drawn: written by the pass that lists them.
+    pub(crate) line_arguments: wgpu::Buffer,
     pub(crate) triangle_count: u32,
     pub(crate) parts: Vec<Range<u32>>,
     /// Every edge has two faces, so back faces are never seen from outside.
@@ -29,7 +32,7 @@ pub struct GpuMesh {
     pub(crate) version: u64,
     /// What the face buffers hold.
     pub(crate) computed: Mutex<Computed>,
-    /// Bind group 1 of the drawing passes, of the two compute passes, and group 2 of the lines.
+    /// Bind group 1 of the drawing passes and of the compute passes of faces, groups 1 and 2 of the lines.
     pub(crate) groups: MeshGroups,
     /// Bind group 3.
     pub(crate) surface: SurfaceBuffers,
@@ -42,8 +45,20 @@ pub(crate) struct MeshGroups {
     pub drawn: wgpu::BindGroup,
     pub geometry: wgpu::BindGroup,
     pub frames: wgpu::BindGroup,
+    pub line_mesh: wgpu::BindGroup,
+    pub line_edges: wgpu::BindGroup,
     /// By style: silhouettes, wireframe.
     pub lines: [wgpu::BindGroup; 2],
+}
+
+/// Buffers of the edges.
+struct EdgeBuffers {
+    edges: wgpu::Buffer,
+    /// Those that are lines.
+    listed: wgpu::Buffer,
+    /// Which edges of a block are lines, and how many before it.
+    blocks: [wgpu::Buffer; 2],
+    arguments: wgpu::Buffer,
 }
 
 /// Buffers beside the vertices.
@@ -125,19 +140,26 @@ impl GpuMesh {
             face_frames: computed(gpu, "face_frames", triangles * 32),
         };
         let vertex_buffer = buffer("vertices", bytemuck::cast_slice(&staging), storage | wgpu::BufferUsages::COPY_DST);
-        let edge_buffer = buffer("edges", bytemuck::cast_slice(&edges), storage);
+        let blocks = edges.len().div_ceil(BLOCK_EDGES) as u64;
+        let edge_buffers = EdgeBuffers {
+            edges: buffer("edges", bytemuck::cast_slice(&edges), storage),
+            listed: computed(gpu, "listed", edges.len() as u64 * 4),
+            blocks: ["marks", "before"].map(|label| computed(gpu, label, blocks * 4)),
+            arguments: buffer("arguments", &[0; 16], storage | wgpu::BufferUsages::INDIRECT),
+        };
         let index_buffer = match index_list {
             Some(list) => buffer("provoking indices", bytemuck::cast_slice(&list), wgpu::BufferUsages::INDEX),
             None => pulled,
         };
-        bytes += triangles * 80;
-        let groups = MeshGroups::new(gpu, layouts, &buffers, &vertex_buffer, &edge_buffer, line_styles);
+        bytes += triangles * 80 + edges.len() as u64 * 4 + blocks * 8;
+        let groups = MeshGroups::new(gpu, layouts, &buffers, &vertex_buffer, &edge_buffers, line_styles);
         Ok(Self {
             groups,
             surface: SurfaceBuffers::new(gpu, layouts, None)?,
             index_buffer,
             vertex_buffer,
             edge_count: edges.len() as u32,
+            line_arguments: edge_buffers.arguments,
             triangle_count: triangles as u32,
             parts: mesh.parts.iter().map(|part| part.triangles.clone()).collect(),
             closed: mesh.neighbours.as_flattened().iter().all(|neighbour| *neighbour != NO_FACE),
@@ -192,7 +214,7 @@ impl MeshGroups {
         layouts: &Layouts,
         buffers: &Buffers,
         vertices: &wgpu::Buffer,
-        edges: &wgpu::Buffer,
+        edges: &EdgeBuffers,
         line_styles: &[wgpu::Buffer; 2],
     ) -> Self {
         let group = |label, layout: &wgpu::BindGroupLayout, bound: &[(u32, &wgpu::Buffer)]| {
@@ -205,6 +227,7 @@ impl MeshGroups {
                 .collect();
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
         };
+        let EdgeBuffers { edges: all, listed, blocks: [marks, before], arguments } = edges;
         let Buffers { uvs, indices, neighbours, face_normals, face_planes, face_frames, provoking } = buffers;
         Self {
             drawn: group(
@@ -231,7 +254,15 @@ impl MeshGroups {
                 &layouts.face_frames,
                 &[(0, vertices), (2, indices), (3, face_normals), (5, face_frames)],
             ),
-            lines: line_styles.each_ref().map(|style| group("lines", &layouts.lines, &[(0, style), (1, edges)])),
+            line_mesh: group("line_mesh", &layouts.line_mesh, &[(0, vertices), (4, face_normals)]),
+            line_edges: group(
+                "line_edges",
+                &layouts.line_edges,
+                &[(0, &line_styles[0]), (1, all), (2, listed), (3, marks), (4, before), (5, arguments)],
+            ),
+            lines: line_styles
+                .each_ref()
+                .map(|style| group("lines", &layouts.lines, &[(0, style), (1, all), (2, listed)])),
         }
     }
 }

@@ -6,8 +6,13 @@ use super::shading::{form_constant, module};
 use crate::gpu::{FramesKey, GeometryKey, Gpu, GpuMesh, Layouts};
 use crate::params::Form;
 
-/// Groups of 64 faces in a row of the dispatch.
+/// Groups of invocations in a row of a dispatch.
 const GROUPS_PER_ROW: u32 = 32_768;
+
+/// Columns and rows of a dispatch of so many groups: a row alone takes too few.
+pub(crate) fn group_rows(groups: u32) -> [u32; 2] {
+    [groups.min(GROUPS_PER_ROW), groups.div_ceil(GROUPS_PER_ROW)]
+}
 
 /// The two compute passes, in both forms.
 pub(crate) struct Faces {
@@ -45,44 +50,52 @@ impl Faces {
         }
     }
 
-    /// Records what is out of date; the frames only where a method reads them.
-    pub(crate) fn record(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        scene_group: &wgpu::BindGroup,
-        scene: &types::Scene,
-        mesh: &GpuMesh,
-        form: Form,
-        frames: bool,
-    ) {
+    /// What is out of date and read by a method; the frames only where they are.
+    pub(crate) fn due(scene: &types::Scene, mesh: &GpuMesh, form: Form, frames: bool) -> Due {
         let geometry = GeometryKey {
             version: mesh.version,
             literal: form == Form::Literal,
             world_from_mesh: scene.world_from_mesh,
         };
         let key = FramesKey { geometry, lights: scene.lights, light_count: scene.light_count };
-        let mut computed = mesh.computed.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let stale_geometry = computed.geometry != Some(geometry);
-        let stale_frames = frames && computed.frames != Some(key);
-        if !stale_geometry && !stale_frames {
-            return;
+        let computed = mesh.computed.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        Due {
+            form,
+            geometry: (computed.geometry != Some(geometry)).then_some(geometry),
+            frames: (frames && computed.frames != Some(key)).then_some(key),
         }
-        let form = form_constant(form) as usize;
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-        pass.set_bind_group(0, scene_group, &[]);
-        let groups = mesh.triangle_count.div_ceil(64);
-        let rows = [groups.min(GROUPS_PER_ROW), groups.div_ceil(GROUPS_PER_ROW)];
-        if stale_geometry {
+    }
+
+    /// Records what is due.
+    pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, scene: &wgpu::BindGroup, mesh: &GpuMesh, due: &Due) {
+        let form = form_constant(due.form) as usize;
+        let mut computed = mesh.computed.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        pass.set_bind_group(0, scene, &[]);
+        let [columns, rows] = group_rows(mesh.triangle_count.div_ceil(64));
+        if due.geometry.is_some() {
             pass.set_pipeline(&self.geometry[form]);
             pass.set_bind_group(1, &mesh.groups.geometry, &[]);
-            pass.dispatch_workgroups(rows[0], rows[1], 1);
-            computed.geometry = Some(geometry);
+            pass.dispatch_workgroups(columns, rows, 1);
+            computed.geometry = due.geometry;
         }
-        if stale_frames {
+        if due.frames.is_some() {
             pass.set_pipeline(&self.frames[form]);
             pass.set_bind_group(1, &mesh.groups.frames, &[]);
-            pass.dispatch_workgroups(rows[0], rows[1], 1);
-            computed.frames = Some(key);
+            pass.dispatch_workgroups(columns, rows, 1);
+            computed.frames = due.frames;
         }
+    }
+}
+
+/// What of the faces is to be computed anew.
+pub(crate) struct Due {
+    form: Form,
+    geometry: Option<GeometryKey>,
+    frames: Option<FramesKey>,
+}
+
+impl Due {
+    pub(crate) fn is_none(&self) -> bool {
+        self.geometry.is_none() && self.frames.is_none()
     }
 }

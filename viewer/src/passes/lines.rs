@@ -1,9 +1,12 @@
-//! Contours, borders, creases and the wireframe over any method.
+//! Contours, borders, creases and the wireframe over any method. The edges that are contours, borders or creases are
+//! listed first, so that only those are drawn; of the wireframe all are.
 
 use std::collections::HashMap;
 
+use tam_shaders::cpu::line_edges::{BLOCK_EDGES, BLOCK_LANES};
 use tam_shaders::{Pass, types};
 
+use super::faces::group_rows;
 use super::shading::{depth_state, module};
 use crate::gpu::{Gpu, GpuMesh, Layouts, PixelFormat};
 use crate::params::{RenderParams, Silhouettes};
@@ -22,6 +25,8 @@ const WIREFRAME_COLOUR: [f32; 4] = [0.03, 0.25, 1.0, 0.7];
 pub(crate) struct Lines {
     /// By kind.
     pub(crate) styles: [wgpu::Buffer; 2],
+    /// Mark the lines in blocks of edges, sum them up, list them.
+    listing: [wgpu::ComputePipeline; 3],
     module: wgpu::ShaderModule,
     layout: wgpu::PipelineLayout,
     pipelines: HashMap<(PixelFormat, u32), wgpu::RenderPipeline>,
@@ -38,10 +43,11 @@ impl Lines {
                     mapped_at_creation: false,
                 })
             }),
+            listing: listing(gpu, layouts),
             module: module(gpu, Pass::Lines),
             layout: gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some("lines"),
-                bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.mesh), Some(&layouts.lines)],
+                bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.line_mesh), Some(&layouts.lines)],
                 immediate_size: 0,
             }),
             pipelines: HashMap::new(),
@@ -102,7 +108,29 @@ impl Lines {
         })
     }
 
-    /// Draws one quad per edge; those that are no line fall away in the vertex stage.
+    /// Lists the edges that are lines of this kind, where not all are.
+    pub(crate) fn list(
+        &self,
+        pass: &mut wgpu::ComputePass<'_>,
+        scene: &wgpu::BindGroup,
+        mesh: &GpuMesh,
+        params: &RenderParams,
+    ) {
+        if params.silhouettes.is_none() {
+            return;
+        }
+        pass.set_bind_group(0, scene, &[]);
+        pass.set_bind_group(1, &mesh.groups.line_mesh, &[]);
+        pass.set_bind_group(2, &mesh.groups.line_edges, &[]);
+        let [columns, rows] = group_rows(mesh.edge_count.div_ceil((BLOCK_EDGES * BLOCK_LANES) as u32));
+        let [mark, sum, list] = &self.listing;
+        for (pipeline, columns, rows) in [(mark, columns, rows), (sum, 1, 1), (list, columns, rows)] {
+            pass.set_pipeline(pipeline);
+            pass.dispatch_workgroups(columns, rows, 1);
+        }
+    }
+
+    /// Draws one quad per line.
     pub(crate) fn record(
         pass: &mut wgpu::RenderPass<'_>,
         pipeline: &wgpu::RenderPipeline,
@@ -112,10 +140,33 @@ impl Lines {
     ) {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, scene, &[]);
-        pass.set_bind_group(1, &mesh.groups.drawn, &[]);
+        pass.set_bind_group(1, &mesh.groups.line_mesh, &[]);
         pass.set_bind_group(2, &mesh.groups.lines[kind as usize], &[]);
-        pass.draw(0..4, 0..mesh.edge_count);
+        match kind {
+            LineKind::Silhouettes => pass.draw_indirect(&mesh.line_arguments, 0),
+            LineKind::Wireframe => pass.draw(0..4, 0..mesh.edge_count),
+        }
     }
+}
+
+fn listing(gpu: &Gpu, layouts: &Layouts) -> [wgpu::ComputePipeline; 3] {
+    let module = module(gpu, Pass::LineEdges);
+    let label = Some(Pass::LineEdges.name());
+    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label,
+        bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.line_mesh), Some(&layouts.line_edges)],
+        immediate_size: 0,
+    });
+    ["mark", "sum", "list"].map(|entry_point| {
+        gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label,
+            layout: Some(&layout),
+            module: &module,
+            entry_point: Some(entry_point),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        })
+    })
 }
 
 fn silhouettes_style(silhouettes: &Silhouettes, ink: [f32; 3]) -> types::LineStyle {

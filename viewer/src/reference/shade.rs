@@ -46,7 +46,9 @@ impl Shader {
             Pass::FineTone => Ok(Self::FineTone),
             Pass::Stripes => Ok(Self::Stripes),
             Pass::Debug => Ok(Self::Debug),
-            Pass::FaceGeometry | Pass::FaceFrames | Pass::Lines => Err(ReferenceError::NoSurface(pass)),
+            Pass::FaceGeometry | Pass::FaceFrames | Pass::LineEdges | Pass::Lines => {
+                Err(ReferenceError::NoSurface(pass))
+            }
         }
     }
 

@@ -7,6 +7,7 @@ pub mod colour;
 pub mod columns;
 pub mod corners;
 pub mod directions;
+pub mod edges;
 pub mod face_frame;
 pub mod form;
 pub mod halftone;

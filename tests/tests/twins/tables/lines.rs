@@ -1,9 +1,11 @@
-//! Rows of `lines.wgsl`.
+//! Rows of `lines.wgsl`, `line_edges.wgsl` and `lib/edges.wgsl`.
 
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::Bindings;
-use tam_shaders::cpu::lines::{capsule_coverage, end_world, faces_camera, line_kind, pulled_clip, px_from_clip};
+use tam_shaders::cpu::lib::edges::{end_world, faces_camera, line_kind};
+use tam_shaders::cpu::line_edges::is_line;
+use tam_shaders::cpu::lines::{capsule_coverage, pulled_clip, px_from_clip};
 
 use super::{one, three, two, xy};
 use crate::draw::{Case, Draw, OWN};
@@ -18,7 +20,7 @@ pub(crate) fn rows() -> Vec<Row> {
         let setting = &all[i];
         (setting.twin.style, setting.edges.clone())
     };
-    let style_of = of.clone();
+    let (style_of, listed_of) = (of.clone(), of.clone());
     vec![
         row("end_world", Pass::Lines, "vec4f(end_world(u32(a.x)), 0.0)", edges)
             .twin(|b, case| three(end_world(b.scene, &b.mesh, case[0].x as u32)))
@@ -40,6 +42,12 @@ pub(crate) fn rows() -> Vec<Row> {
                 ))
             })
             .except_where(|b, case| (0..FACES).any(|face| edge_on(b, face, case)))
+            .within(1e-30, 0.0),
+        row("is_line", Pass::LineEdges, "vec4f(select(0.0, 1.0, is_line(edges[u32(a.z)])), 0.0, 0.0, 0.0)", edges)
+            .twin(move |b, case| {
+                let (style, edges) = listed_of(b);
+                one(f64::from(is_line(b.scene, &b.mesh, &style, &edges[case[0].z as usize])))
+            })
             .within(1e-30, 0.0),
         // Two projections of points five units away, divided.
         row("pulled_clip", Pass::Lines, "pulled_clip(b.xyz)", edges)
