@@ -1,15 +1,20 @@
 //! From a moved slider to the new picture, as the window's user waits for it: `cargo bench -p tam-viewer --bench live`.
 //!
-//! Medians of [`RUNS`] changes per size of the map, in a view of 800 x 600 px: what map was made meanwhile, in what time; the
+//! Frames are drawn when the application asks for them, as a window does. Medians of [`RUNS`] changes per size of the map, in a view of 800 x 600 px: what map was made meanwhile, in what time; the
 //! time until its picture is there; and, from letting go, until the whole map is seen in a picture to be looked at.
 
 use std::io::Write;
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use tam_viewer::app::{App, Command, Options};
 
 /// Changes per size.
 const RUNS: usize = 9;
+
+/// Least time between two frames of the window, and the greatest.
+const FRAME: Duration = Duration::from_micros(16_667);
+const REST: Duration = Duration::from_millis(100);
 
 fn main() {
     let mut desk = Desk::new();
@@ -18,8 +23,8 @@ fn main() {
     say(&format!("first picture after {:.0} ms", started.elapsed().as_secs_f64() * 1e3));
     desk.frames_until(|app| {
         let results = app.results();
-        let laid = results.mesh.is_some() && !results.running.iter().any(|(name, _)| *name == "Surface");
-        laid && results.picture.as_ref().is_some_and(|picture| picture.is_still()) && is_shown(app)
+        let laid = results.picture.as_ref().is_some_and(|picture| picture.is_still() && picture.surface.is_some());
+        laid && is_shown(app)
     });
     say(&format!("finished picture after {:.0} ms", started.elapsed().as_secs_f64() * 1e3));
     desk.frames_until(|app| !app.is_busy());
@@ -80,20 +85,29 @@ struct Desk {
     /// Whether a button is down, as it is while a slider moves.
     held: bool,
     was_held: bool,
+    /// When the application asked for another frame.
+    asked: Receiver<()>,
 }
 
 impl Desk {
     fn new() -> Self {
         let ctx = egui::Context::default();
+        let (ask, asked) = channel();
+        ctx.set_request_repaint_callback(move |info| {
+            // What is to be drawn later is drawn by the clock below.
+            if info.delay.is_zero() {
+                let _ = ask.send(());
+            }
+        });
         let app = App::new(&ctx, Options::default()).expect("the application starts");
-        Self { ctx, app, time_s: 0.0, held: false, was_held: false }
+        Self { ctx, app, time_s: 0.0, held: false, was_held: false, asked }
     }
 
     /// Draws frames until something has come to pass.
     fn frames_until(&mut self, done: impl Fn(&App) -> bool) {
         let start = Instant::now();
         loop {
-            self.time_s += 1.0 / 60.0;
+            let drawn = Instant::now();
             let mut input = egui::RawInput {
                 screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1400.0, 950.0))),
                 time: Some(self.time_s),
@@ -115,7 +129,11 @@ impl Desk {
             let results = self.app.results();
             let problems = (&results.picture_problem, &results.map_problem, &results.running);
             assert!(start.elapsed() < Duration::from_secs(60), "it never comes to pass: {problems:?}");
-            std::thread::sleep(Duration::from_millis(1));
+            // The time of the display's frame, and then until there is something to show.
+            std::thread::sleep(FRAME.saturating_sub(drawn.elapsed()));
+            let _ = self.asked.recv_timeout(REST.saturating_sub(drawn.elapsed()));
+            while self.asked.try_recv().is_ok() {}
+            self.time_s += drawn.elapsed().as_secs_f64();
         }
     }
 }

@@ -143,18 +143,19 @@ impl App {
         let ctx = ui.ctx().clone();
         style::follow(&ctx, &self.model.state.settings);
         let mut commands = self.collect();
+        // What has come is drawn with at once, while the panels are laid out.
+        self.follow(&ctx);
         let actions = actions(&self.model.state);
         self.shortcuts(&ctx, &actions, &mut commands);
         dropped(&ctx, &mut commands);
         self.panels(ui, &actions, &mut commands);
         self.closing(&ctx, &mut commands);
         self.carry_out(&ctx, commands);
-        let time_s = ctx.input(|input| input.time);
         self.play(&ctx);
         self.frame_mesh();
-        self.follow(&ctx, time_s);
+        self.follow(&ctx);
         self.thumbnails();
-        let held = ctx.input(|input| input.pointer.any_down());
+        let (time_s, held) = ctx.input(|input| (input.time, input.pointer.any_down()));
         if self.model.history.watch(time_s, held, &self.model.state) {
             ctx.request_repaint_after(Duration::from_millis(100));
         }
@@ -314,9 +315,10 @@ impl App {
         state.transient.frame_mesh = false;
     }
 
-    fn follow(&mut self, ctx: &Context, time_s: f64) {
+    /// Asks for what the state and the view need by now.
+    fn follow(&mut self, ctx: &Context) {
         let state = &self.model.state;
-        let wheel = time_s - self.camera_moved_s < WHEEL_S;
+        let wheel = ctx.input(|input| input.time) - self.camera_moved_s < WHEEL_S;
         if wheel {
             ctx.request_repaint_after(Duration::from_secs_f64(WHEEL_S));
         }

@@ -203,6 +203,10 @@ impl Engine {
         let Some(mut shot) = self.shot(state, mesh, map, demand.size_px, 4) else { return };
         let costly = self.pace.coarser() > 1;
         let changed = self.asked.shot.as_ref().is_none_or(|(asked, _)| !asked.shows_same(&shot));
+        // As long as nothing has moved yet, the picture that is looked at is the best there is.
+        if self.asked.shot.as_ref().is_some_and(|(asked, _)| *asked == shot) {
+            return;
+        }
         let asked_moving = self.asked.shot.as_ref().is_some_and(|(_, stillness)| *stillness == Stillness::Moving);
         // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
         let moving = demand.moving || (costly && changed);

@@ -13,6 +13,7 @@ use super::worker::{Wake, Worker};
 use crate::RenderError;
 use crate::gpu::GpuError;
 use crate::maps::HatchMap;
+use crate::surface::Surface;
 
 /// Whether a picture is one of many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +36,8 @@ pub struct Shown {
     pub number: u64,
     /// The map that it was drawn with, on the side of the document.
     pub map: Option<Arc<HatchMap>>,
+    /// The surface by which strokes lay on that side; none where the mapping takes none, or it is still to be made.
+    pub surface: Option<Arc<Surface>>,
 }
 
 impl Shown {
@@ -106,8 +109,15 @@ impl Studio {
                 let Painted { image, cost } = painter.paint(shot)?;
                 self.number += 1;
                 let image = Arc::new(color_image(&image));
-                let map = shot.sides.first().map(|side| Arc::clone(&side.map));
-                reply(PictureReply::Shown(Shown { image, cost, stillness: *stillness, number: self.number, map }));
+                let side = shot.sides.first();
+                reply(PictureReply::Shown(Shown {
+                    image,
+                    cost,
+                    stillness: *stillness,
+                    number: self.number,
+                    map: side.map(|side| Arc::clone(&side.map)),
+                    surface: side.and_then(|side| side.surface.clone()),
+                }));
             }
             PictureRequest::Thumbnail(request) => {
                 if let Some(image) = self.thumbnails.paint(painter, request)? {
