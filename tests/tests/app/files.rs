@@ -4,7 +4,7 @@ use egui_kittest::kittest::Queryable;
 use tam_gen::Preset;
 use tam_tests::app::Window;
 use tam_tests::command;
-use tam_viewer::app::{Command, MeshSource, PresetSource, Severity};
+use tam_viewer::app::{Command, MeshSource, Pane, PresetSource, Severity};
 use tam_viewer::mesh::sample::Sample;
 
 use super::helpers::drop_file;
@@ -95,6 +95,15 @@ fn a_session_comes_back_also_when_the_window_was_lost() {
         window.run(Command::SetPreset(Box::new(preset)));
         window.run(Command::SetMesh(MeshSource::Sample(Sample::Cube, 500)));
         window.harness.run_steps(40);
+        let layout = || {
+            let text = std::fs::read_to_string(&session).expect("the session is kept");
+            serde_json::from_str::<serde_json::Value>(&text).expect("it is JSON")["layout"].clone()
+        };
+        let before = layout();
+        // Where the panels are is kept at once, too.
+        window.run(Command::ShowPane(Pane::Checks));
+        window.harness.run_steps(40);
+        assert_ne!(layout(), before);
         window.app().state().clone()
         // Dropped without being closed, as in a crash.
     };

@@ -136,3 +136,21 @@ fn views_are_filled_to_their_pixels_at_any_size_of_the_interface() {
         }
     }
 }
+
+#[test]
+fn a_mesh_too_fine_for_a_surface_is_drawn_without_and_the_user_is_told() {
+    let mut window = Window::ready();
+    window.run(Command::SetMesh(MeshSource::Sample(Sample::Quad, 2_050_000)));
+    let results = window.app().results();
+    let mesh = results.mesh.as_ref().expect("it is loaded");
+    assert!(mesh.mesh.triangles.len() > 2_000_000, "{} triangles", mesh.mesh.triangles.len());
+    let told: Vec<_> = window.app().messages().iter().map(|message| message.text.as_str()).collect();
+    let wanted = |text: &&str| text.contains("three planes instead");
+    assert_eq!(told.into_iter().filter(wanted).count(), 1, "once: {:?}", window.app().messages());
+    assert!(results.picture.as_ref().is_some_and(|picture| picture.surface.is_none()) && !picture(&window).is_empty());
+    // Back on a mesh that is fine enough, strokes follow the form again.
+    window.run(Command::SetMesh(MeshSource::Sample(Sample::Sphere, 2000)));
+    let results = window.app().results();
+    assert!(results.surface_problem.is_none());
+    assert!(results.picture.as_ref().is_some_and(|picture| picture.surface.is_some()));
+}

@@ -207,8 +207,8 @@ fn views(state: &State, all: &mut Vec<Action>) {
     let handle = state.settings.light_handle;
     list.switch("Show the light", None, handle, Command::ShowLightHandle(!handle));
     let motions = [
-        ("Play: camera goes round", Some(Key::Space), Motion::Orbit),
-        ("Play: light goes round", None, Motion::Light),
+        ("Play: turntable of the camera", Some(Key::Space), Motion::Orbit),
+        ("Play: turntable of the light", None, Motion::Light),
         ("Play: twist", None, Motion::Deform(Deform::Twist)),
         ("Play: wave", None, Motion::Deform(Deform::Wave)),
         ("Play: breathe", None, Motion::Deform(Deform::Breathe)),
@@ -286,7 +286,10 @@ fn windows(state: &State, all: &mut Vec<Action>) {
     list.add("Smaller interface", ctrl(Key::Minus), Command::SetZoom(zoom - 0.1));
     list.add("Interface as large as the system says", ctrl(Key::Num0), Command::SetZoom(1.0));
     for navigation in super::state::Navigation::ALL {
-        let name = format!("Mouse: as in {}", navigation.label());
+        let name = match navigation {
+            super::state::Navigation::Simple => "Mouse: simple".to_owned(),
+            other => format!("Mouse: as in {}", other.label()),
+        };
         list.switch(name, None, state.settings.navigation == navigation, Command::SetNavigation(navigation));
     }
     list.group = Group::Help;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use egui::{Context, Ui, ViewportCommand};
-use egui_tiles::{SimplificationOptions, TileId, UiResponse};
+use egui_tiles::{SimplificationOptions, TileId, Tree, UiResponse};
 
 use super::actions::{Action, actions, is_possible};
 use super::apply::{Effect, Model, apply, tell};
@@ -55,12 +55,19 @@ pub struct App {
     notices: Vec<ShownNotice>,
     messages: Vec<Notice>,
     session: Option<PathBuf>,
-    written: Option<(State, f64)>,
+    written: Option<Written>,
     thumbnails: HashSet<String>,
     camera_moved_s: f64,
     title: String,
     /// When it started, until the first picture is there.
     started: Option<Instant>,
+}
+
+/// What the session file holds, and since when.
+struct Written {
+    state: State,
+    layout: Tree<Pane>,
+    at_s: f64,
 }
 
 impl App {
@@ -366,15 +373,15 @@ impl App {
         if self.session.is_none() || held {
             return;
         }
-        let state = &self.model.state;
-        let due = self.written.as_ref().is_none_or(|(_, at_s)| time_s - at_s > SESSION_S);
-        let same = self.written.as_ref().is_some_and(|(written, _)| same_on_disk(written, state));
-        if same {
+        let Model { state, layout, .. } = &self.model;
+        let written = self.written.as_ref();
+        if written.is_some_and(|written| written.layout == *layout && same_on_disk(&written.state, state)) {
             return;
         }
-        if due {
+        if written.is_none_or(|written| time_s - written.at_s > SESSION_S) {
             self.write_session(false);
-            self.written = Some((self.model.state.clone(), time_s));
+            let (state, layout) = (self.model.state.clone(), self.model.layout.clone());
+            self.written = Some(Written { state, layout, at_s: time_s });
         } else {
             ctx.request_repaint_after(Duration::from_secs_f64(SESSION_S));
         }
