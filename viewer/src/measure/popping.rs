@@ -84,8 +84,9 @@ mod tests {
         let steps = [2, 4, 8, 16];
         let smooth = popping(&steps.map(|steps| change(steps, |t| lines(0.3 + 0.2 * t)))).expect("changes");
         assert!(smooth.slope > 0.85, "{smooth}");
-        let pops =
-            popping(&steps.map(|steps| change(steps, |t| lines(if t < 0.43 { 0.3 } else { 0.5 })))).expect("changes");
+        // The nearest of six columns instead of two that are mixed.
+        let rounded = |t: f64| lines((6.0 * (0.3 + 0.2 * t)).round() / 6.0);
+        let pops = popping(&steps.map(|steps| change(steps, rounded))).expect("changes");
         assert!(pops.slope.abs() < 0.1 && pops.remainder > 0.1, "{pops}");
         // One that pops among smooth ones.
         let mixed = |t: f64| {

@@ -92,6 +92,7 @@ impl fmt::Display for Tone {
 
 #[cfg(test)]
 mod tests {
+    use super::super::aov::Surface;
     use super::super::testing::{Grating, ramp_aov};
     use super::*;
 
@@ -119,6 +120,29 @@ mod tests {
         // The right mean, and wrong everywhere: a ramp of 0.45 has a deviation of 0.45 / √12, less at the ends.
         assert!(found.ink.bias.abs() < 2e-3 && (found.ink.rmse - 0.13).abs() < 0.015, "{found}");
         assert!(found.lightness.rmse > 6.0 && found.lightness.percentile_95 > 10.0, "{found}");
+    }
+
+    /// Six nested columns, each weighted by how near its tone is to the wanted one; weights that are not clamped at 0 take
+    /// ink away again.
+    #[test]
+    fn weights_that_are_not_clamped_are_told() {
+        let aov = ramp_aov([240, 160], 0.15, 0.6);
+        let grating = Grating { angle_rad: 0.4, period_px: 5.0, ..Grating::default() };
+        let columns: Vec<Plane> =
+            (1..=6).map(|k| grating.drawn_on(&ramp_aov(aov.size, f64::from(k) / 6.0, f64::from(k) / 6.0))).collect();
+        let drawn = |least: f64| {
+            let ink = |(pixel, at): (usize, &Option<Surface>)| {
+                let wanted = at.as_ref().map_or(0.0, |at| 6.0 * at.darkness);
+                let weight = |k: usize| (1.0 - (wanted - (k + 1) as f64).abs()).max(least);
+                columns.iter().enumerate().map(|(k, column)| weight(k) * column.pixels[pixel]).sum::<f64>()
+            };
+            let pixels = aov.pixels.iter().enumerate().map(ink).map(|ink| ink.clamp(0.0, 1.0)).collect();
+            tone(&Plane { size: aov.size, pixels }, &aov, 12.5).expect("it is seen")
+        };
+        let clamped = drawn(0.0);
+        assert!(clamped.ink.rmse < 4e-3, "{clamped}");
+        let loose = drawn(f64::NEG_INFINITY);
+        assert!(loose.ink.rmse > 0.1 && loose.lightness.rmse > 10.0, "{loose}");
     }
 
     #[test]
