@@ -50,6 +50,7 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>, height
         .allow_axis_zoom_drag(false)
         .allow_double_click_reset(false)
         .show_crosshair(false)
+        .grid_color(weak.gamma_multiply(0.35))
         .label_formatter(|_| None)
         .x_axis_label(egui::RichText::new(&x.label).size(LABEL_SIZE))
         .y_axis_label(egui::RichText::new(&y.label).size(LABEL_SIZE))

@@ -8,6 +8,7 @@ use super::plot::symbol;
 use super::{Shown, number, switch_to, told};
 use crate::app::command::Command;
 use crate::app::state::{ChartSort, ChartView};
+use crate::chart::COST_AXIS;
 
 pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>) {
     let view = panel.state.transient.chart;
@@ -15,10 +16,10 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>) {
     egui::ScrollArea::both().id_salt("table").auto_shrink(false).show(ui, |ui| {
         egui::Grid::new("ways").num_columns(4).min_col_width(12.0).striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
             ui.label("");
-            head(panel, ui, ChartSort::Way, "Way");
-            head(panel, ui, ChartSort::Cost, "Cost");
-            let unit = shown.measure.name;
-            head(panel, ui, ChartSort::Error, &super::capitalised(unit));
+            head(panel, ui, ChartSort::Way, "Way", "Method, mapping and form");
+            head(panel, ui, ChartSort::Cost, "Cost", COST_AXIS);
+            let title = super::capitalised(shown.measure.name);
+            head(panel, ui, ChartSort::Error, &title, shown.measure.axis);
             ui.end_row();
             for i in sorted(shown, view) {
                 if row(ui, shown, i) {
@@ -33,7 +34,7 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>) {
 }
 
 /// The head of a column, which sorts by it, and by a second click the other way round.
-fn head(panel: &mut Panel<'_>, ui: &mut Ui, sort: ChartSort, title: &str) {
+fn head(panel: &mut Panel<'_>, ui: &mut Ui, sort: ChartSort, title: &str, doc: &str) {
     let view = panel.state.transient.chart;
     let own = view.sort == sort;
     let arrow = match (own, view.descending) {
@@ -43,7 +44,7 @@ fn head(panel: &mut Panel<'_>, ui: &mut Ui, sort: ChartSort, title: &str) {
     };
     let button = egui::Button::new(RichText::new(format!("{title}{arrow}")).small().weak()).frame(false);
     let response = named(ui.add(button), &format!("Sort by {}", title.to_lowercase()));
-    if response.clicked() {
+    if response.on_hover_text(doc).clicked() {
         panel.ask(Command::ShowChart(ChartView { sort, descending: own && !view.descending, ..view }));
     }
 }

@@ -13,8 +13,8 @@ use std::sync::Arc;
 use super::subject::Subject;
 use super::surface::MadeSurface;
 use super::worker::Wake;
-use crate::Mapping;
 use crate::chart::{Figures, Way};
+use crate::{Mapping, Method, RenderParams};
 use measure::{ChartReply, ChartRequest, ChartWorker, Group, chart_worker};
 
 /// Pixels of a picture that is measured: enough for figures that tell ways apart, and soon done.
@@ -152,48 +152,115 @@ impl ChartDesk {
 
     /// Takes what was measured; returns surfaces that were made for it.
     pub(super) fn collect(&mut self, results: &mut ChartResults) -> Vec<MadeSurface> {
-        let mut surfaces = Vec::new();
-        for reply in self.worker.replies() {
-            match reply {
-                ChartReply::Opened { is_software } => results.is_software = is_software,
-                ChartReply::Surface(made) => surfaces.push(*made),
-                ChartReply::Measured { number, way, figures } => {
-                    let name = way.name();
-                    results.points.retain(|point| point.way.name() != name);
-                    results.points.push(MeasuredWay { way, figures: *figures, number });
-                    if number == self.number {
-                        self.done.push(way);
-                    }
+        let replies: Vec<ChartReply> = self.worker.replies().collect();
+        replies.into_iter().filter_map(|reply| self.take(reply, results)).collect()
+    }
+
+    fn take(&mut self, reply: ChartReply, results: &mut ChartResults) -> Option<MadeSurface> {
+        match reply {
+            ChartReply::Opened { is_software } => results.is_software = is_software,
+            ChartReply::Surface(made) => return Some(*made),
+            ChartReply::Measured { number, way, figures } => {
+                let name = way.name();
+                results.points.retain(|point| point.way.name() != name);
+                results.points.push(MeasuredWay { way, figures: *figures, number });
+                if number == self.number {
+                    self.done.push(way);
                 }
-                ChartReply::Repeated { number, way } => {
-                    let name = way.name();
-                    results.points.retain(|point| point.way.name() != name);
-                    if number == self.number {
-                        self.done.push(way);
-                    }
+            }
+            ChartReply::Repeated { number, way } => {
+                let name = way.name();
+                results.points.retain(|point| point.way.name() != name);
+                if number == self.number {
+                    self.done.push(way);
                 }
-                ChartReply::Failed { number, ways, problem } => {
-                    if number == self.number {
-                        self.done.extend(ways);
-                        results.problem = Some(problem);
-                    }
-                }
-                ChartReply::Broken(problem) => {
-                    // What broke down once is not tried until the scene changes.
-                    if let Some(subject) = &self.subject {
-                        self.done.extend(plan::plan(subject, true));
-                    }
+            }
+            ChartReply::Failed { number, ways, problem } => {
+                if number == self.number {
+                    self.done.extend(ways);
                     results.problem = Some(problem);
                 }
             }
+            ChartReply::Broken(problem) => {
+                // What broke down once is not tried until the scene changes.
+                if let Some(subject) = &self.subject {
+                    self.done.extend(plan::plan(subject, true));
+                }
+                results.problem = Some(problem);
+            }
         }
-        surfaces
+        None
     }
 }
 
 /// A surface of lapped patches along the present field, where there is one.
 fn lapped_of<'a>(subject: &Subject, made: &'a [MadeSurface]) -> Option<&'a MadeSurface> {
-    let params = crate::RenderParams { mapping: Mapping::Lapped, ..subject.look.params };
-    let params = crate::RenderParams { method: crate::Method::SixWay, ..params };
+    let params = RenderParams { method: Method::SixWay, mapping: Mapping::Lapped, ..subject.look.params };
     subject.made(&subject.surface_options([&params]), made)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::subject::tests::cube;
+    use super::*;
+    use crate::chart::Cost;
+
+    fn desk() -> ChartDesk {
+        ChartDesk::start(&(Arc::new(|| ()) as Wake)).expect("a thread")
+    }
+
+    fn measured(desk: &mut ChartDesk, way: &Way, results: &mut ChartResults) {
+        let cost = Cost { ratio: 2.0, frame_ms: 2.0, phong_ms: 1.0 };
+        let figures = Box::new(Figures { cost, ..Figures::default() });
+        let number = desk.number;
+        assert!(desk.take(ChartReply::Measured { number, way: *way, figures }, results).is_none());
+    }
+
+    #[test]
+    fn older_points_stay_until_they_are_replaced_and_go_when_all_are_measured() {
+        let (mut desk, mut results, subject) = (desk(), ChartResults::default(), cube());
+        let ways = plan::plan(&subject, false);
+        desk.follow(Some(subject.clone()), &[], [true, true], &mut results);
+        ways.iter().for_each(|way| measured(&mut desk, way, &mut results));
+        desk.follow(Some(subject.clone()), &[], [true, true], &mut results);
+        assert_eq!((results.left, results.current().count()), ([0, ways.len()], ways.len()));
+
+        let mut turned = subject;
+        turned.scene.camera.azimuth_deg += 5.0;
+        desk.follow(Some(turned.clone()), &[], [true, false], &mut results);
+        assert_eq!((results.points.len(), results.current().count()), (ways.len(), 0), "grey while it moves");
+        assert_eq!(results.left, [ways.len(); 2]);
+        desk.follow(Some(turned.clone()), &[], [true, true], &mut results);
+        measured(&mut desk, &ways[1], &mut results);
+        desk.follow(Some(turned.clone()), &[], [true, true], &mut results);
+        assert_eq!((results.points.len(), results.current().count()), (ways.len(), 1), "one is replaced");
+        assert_eq!(results.left, [ways.len() - 1, ways.len()]);
+        let number = desk.number;
+        ways[2..].iter().for_each(|way| measured(&mut desk, way, &mut results));
+        let failed = ChartReply::Failed { number, ways: vec![ways[0]], problem: "no such way".into() };
+        assert!(desk.take(failed, &mut results).is_none());
+        desk.follow(Some(turned), &[], [true, true], &mut results);
+        assert_eq!(results.points.len(), ways.len() - 1, "what cannot be measured has no point");
+        assert!(results.problem.is_some() && results.left[0] == 0, "and is not tried again");
+    }
+
+    #[test]
+    fn nothing_is_measured_for_nobody_or_while_the_scene_is_being_made() {
+        let (mut desk, mut results) = (desk(), ChartResults::default());
+        for (subject, shown, rests, wants) in
+            [(Some(cube()), false, true, false), (None, true, true, false), (Some(cube()), true, false, true)]
+        {
+            desk.follow(subject, &[], [shown, rests], &mut results);
+            assert_eq!((desk.is_busy(), desk.worker.is_busy()), (wants, false), "{shown} {rests}");
+        }
+        desk.follow(Some(cube()), &[], [true, true], &mut results);
+        assert!(desk.worker.is_busy());
+        desk.follow(Some(cube()), &[], [false, true], &mut results);
+        let start = std::time::Instant::now();
+        while desk.is_busy() {
+            assert!(start.elapsed() < std::time::Duration::from_secs(20), "it is stopped");
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        assert!(results.points.is_empty());
+    }
 }
