@@ -35,6 +35,13 @@ pub struct FittedScene {
     settings: FitSettings,
 }
 
+impl FittedScene {
+    /// What was asked for.
+    pub fn asked(&self) -> &FitSettings {
+        &self.settings
+    }
+}
+
 /// What became of the last fit that was asked for.
 #[derive(Default)]
 pub struct FitResults {

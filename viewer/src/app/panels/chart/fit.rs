@@ -19,6 +19,9 @@ const ASKED_WIDTH: f32 = 330.0;
 /// Width from which it stands beside what was found, in points.
 const WIDE: f32 = 620.0;
 
+/// Errors beyond this are seen by anyone; what is greater is for the command line.
+const MOST_ERROR: f64 = 0.2;
+
 /// What fails is listed up to so many ways.
 const FAILING: usize = 8;
 
@@ -78,7 +81,8 @@ fn asked(panel: &mut Panel<'_>, ui: &mut Ui) {
     let doc = "Turns of all lights about the upright axis, from where they are";
     number::range_row(ui, turns("Light turns", doc), default.light_deg, &mut settings.light_deg);
     let doc = "Greatest root mean square error of tone in any view, in linear ink";
-    number::row(ui, Number::view("Error at most", doc, ranges::FIT_ERROR, default.error), &mut settings.error);
+    let error = Number::view("Error at most", doc, ranges::FIT_ERROR, default.error).between(0.0, MOST_ERROR);
+    number::row(ui, error, &mut settings.error);
     let params = panel.state.document.look.params;
     ui.weak("May take the place of the present way:");
     ui.horizontal_wrapped(|ui| {
@@ -132,25 +136,32 @@ fn found(panel: &mut Panel<'_>, ui: &mut Ui) {
             }
             let [memory, frame] = fitted.fit.saved_percent();
             ui.horizontal_wrapped(|ui| {
-                ui.strong(format!("{} and {}", saved(memory, "the memory"), saved(frame, "the frame")));
+                ui.strong(saved(memory, frame));
                 let ready = results.fit.progress.is_none();
                 let button = ui.add_enabled(ready, egui::Button::new("Use it"));
                 if button.on_hover_text("Take the smaller map and the way to draw; one step to undo").clicked() {
                     use_it(panel, fitted);
                 }
             });
+            let now = &fitted.fit.full.worst;
+            if now.error > fitted.asked().error {
+                ui.weak(format!("The present way errs by {:.4} at {}: more than is allowed.", now.error, now.view));
+            }
             table(ui, fitted);
         }
     }
 }
 
-/// `saves 40 % of the memory`.
-fn saved(percent: f64, what: &str) -> String {
-    let rounded = percent.round();
-    match rounded {
-        0.0 => format!("as much of {what}"),
-        _ if rounded > 0.0 => format!("saves {rounded:.0} % of {what}"),
-        _ => format!("takes {:.0} % more of {what}", -rounded),
+/// `Saves 40 % of the memory and 5 % of the frame.`
+fn saved(memory: f64, frame: f64) -> String {
+    let part = |percent: f64, what: &str| format!("{:.0} % of the {what}", percent.round().abs());
+    let [memory_part, frame_part] = [part(memory, "memory"), part(frame, "frame")];
+    // What rounds to nothing is neither saved nor added.
+    match (memory.round() >= 0.0, frame.round() >= 0.0) {
+        (true, true) => format!("Saves {memory_part} and {frame_part}."),
+        (true, false) => format!("Saves {memory_part}, and adds {frame_part}."),
+        (false, true) => format!("Saves {frame_part}, and adds {memory_part}."),
+        (false, false) => format!("Adds {memory_part} and {frame_part}."),
     }
 }
 
@@ -207,4 +218,17 @@ fn use_it(panel: &mut Panel<'_>, fitted: &FittedScene) {
     let preset = best.map.map_or_else(|| document.preset.clone(), |map| map.preset(&document.preset));
     let look: Look = document.look.with_way(&best.params);
     panel.ask(Command::SetMaterial(Box::new(preset), Box::new(look)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_saved_and_what_is_added_is_told_apart() {
+        assert_eq!(saved(40.2, 4.8), "Saves 40 % of the memory and 5 % of the frame.");
+        assert_eq!(saved(-201.0, 12.0), "Saves 12 % of the frame, and adds 201 % of the memory.");
+        assert_eq!(saved(0.3, -5.0), "Saves 0 % of the memory, and adds 5 % of the frame.");
+        assert_eq!(saved(-1.0, -5.0), "Adds 1 % of the memory and 5 % of the frame.");
+    }
 }

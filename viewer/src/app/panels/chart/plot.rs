@@ -1,7 +1,7 @@
 //! The points, by cost and error.
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui};
-use egui_plot::{GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotPoints, VLine};
+use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotPoint, VLine};
 use tam_gen::chart::{Axis, Label, along, place_labels, tick};
 
 use super::super::Panel;
@@ -22,6 +22,12 @@ const TIED: f64 = 14.0;
 /// Decades up to which an axis is marked at twos and fives too.
 const FINE_DECADES: f64 = 2.2;
 
+/// Labels that find no place nearer than this are left out: the table has them in bold.
+const FAR: f64 = 70.0;
+
+/// Least height between two ticks of an even axis.
+const STEP_HEIGHT: f32 = 34.0;
+
 const LABEL_SIZE: f32 = 11.0;
 
 pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>, height: f32) {
@@ -39,6 +45,9 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>, height
             tick(if log { 10.0_f64.powf(mark.value) } else { mark.value })
         }
     };
+    // Upright it would be longer than many a plot is high.
+    let title = ui.label(egui::RichText::new(&y.label).size(LABEL_SIZE).weak());
+    let height = (height - title.rect.height() - ui.spacing().item_spacing.y).max(60.0);
     let plot = Plot::new("ways")
         .height(height)
         .show_x(false)
@@ -53,24 +62,27 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>, height
         .grid_color(weak.gamma_multiply(0.35))
         .label_formatter(|_| None)
         .x_axis_label(egui::RichText::new(&x.label).size(LABEL_SIZE))
-        .y_axis_label(egui::RichText::new(&y.label).size(LABEL_SIZE))
         .x_axis_formatter(written(x_log))
         .y_axis_formatter(written(y_log))
         .y_axis_min_width(34.0);
     let plot = if x_log { plot.x_grid_spacer(decades) } else { plot };
-    let plot = if y_log { plot.y_grid_spacer(decades) } else { plot };
+    let steps = f64::from((height / STEP_HEIGHT).floor().max(1.0));
+    let plot = if y_log { plot.y_grid_spacer(decades) } else { plot.y_grid_spacer(move |input| even(input, steps)) };
     let drawn = plot.show(ui, |plot| {
         plot.set_plot_bounds(PlotBounds::from_min_max(low, high));
         plot.vline(
             VLine::new("yardstick", placed(&x, 1.0)).color(weak.gamma_multiply(0.6)).width(1.0).allow_hover(false),
         );
-        let front: Vec<[f64; 2]> = shown.front.iter().filter_map(|i| shown.place(*i)).map(at).collect();
-        plot.line(Line::new("front", PlotPoints::from(front)).color(weak).width(1.4).allow_hover(false));
     });
     let frame = *drawn.transform.frame();
     let on_screen = |place: [f64; 2]| drawn.transform.position_from_point(&PlotPoint::from(at(place)));
     named_picture(&drawn.response);
     let painter = ui.painter_at(frame);
+    // One by one, as the joints of a line grow where it turns sharply.
+    let front: Vec<Pos2> = shown.front.iter().filter_map(|i| shown.place(*i)).map(on_screen).collect();
+    for ends in front.windows(2) {
+        painter.line_segment([ends[0], ends[1]], Stroke::new(1.4, weak));
+    }
     let yardstick = painter.text(
         Pos2::new(on_screen([1.0, ranges[1][1]]).x + 3.0, frame.top() + 2.0),
         Align2::LEFT_TOP,
@@ -135,6 +147,21 @@ fn decades(input: GridInput) -> Vec<GridMark> {
     marks
 }
 
+/// Ticks of an even axis, at about so many steps of 1, 2 or 5 times a power of ten.
+fn even(input: GridInput, steps: f64) -> Vec<GridMark> {
+    let (least, most) = input.bounds;
+    let rough = (most - least) / steps;
+    let decade = 10.0_f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * decade).into_iter().find(|step| *step >= rough);
+    let step = step.unwrap_or(rough);
+    if !(step.is_finite() && step > 0.0) {
+        return Vec::new();
+    }
+    let first = (least / step).ceil() as i64;
+    let last = (most / step).floor() as i64;
+    (first..=last).map(|mark| GridMark { value: mark as f64 * step, step_size: step }).collect()
+}
+
 fn marker(ui: &Ui, painter: &egui::Painter, shown: &Shown<'_>, i: usize, at: Pos2) {
     let best = shown.front.contains(&i);
     let colour = shown.colour(ui, i);
@@ -191,11 +218,33 @@ fn name_front(
         let corner = Pos2::new(left as f32, top as f32);
         let text = Rect::from_min_size(corner, galley.size());
         let nearest = text.clamp(at);
-        if f64::from(nearest.distance(at)) > TIED {
+        let away = f64::from(nearest.distance(at));
+        if away > FAR {
+            continue;
+        }
+        if away > TIED {
             painter.line_segment([at, nearest], Stroke::new(0.8, ui.visuals().weak_text_color()));
         }
         // Legible also over the line and the grid.
         painter.rect_filled(text.expand(1.0), 2.0, ui.visuals().extreme_bg_color.gamma_multiply(0.7));
         painter.galley(corner, galley, ui.visuals().text_color());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_few_round_and_within_the_axis() {
+        let ticks = |marks: Vec<GridMark>| marks.iter().map(|mark| mark.value).collect::<Vec<_>>();
+        let input = |bounds| GridInput { bounds, base_step_size: 0.1 };
+        assert_eq!(ticks(even(input((0.0, 97.0)), 4.0)), [0.0, 50.0]);
+        assert_eq!(ticks(even(input((0.0, 0.55)), 6.0)), [0.0, 0.1, 0.2, 0.30000000000000004, 0.4, 0.5]);
+        assert!(even(input((0.0, f64::NAN)), 6.0).is_empty());
+        let written: Vec<String> =
+            ticks(decades(input((-0.1, 1.4)))).iter().map(|value| tick(10.0_f64.powf(*value))).collect();
+        assert_eq!(written, ["1", "2", "5", "10", "20"]);
+        assert_eq!(ticks(decades(input((-2.5, 1.0)))), [-2.0, -1.0, 0.0, 1.0], "powers of ten alone");
     }
 }
