@@ -133,12 +133,7 @@ fn points_of_an_older_scene_stay_until_they_are_replaced_and_a_pause_leaves_them
     let measured = window.app().results().chart.current().count();
     window.harness.run_steps(10);
     assert_eq!(window.app().results().chart.current().count(), measured);
-    assert!(measured < chart_plan(&window), "it was stopped");
-}
-
-/// Ways that there are to draw the open scene.
-fn chart_plan(window: &Window) -> usize {
-    window.app().results().chart.left[1]
+    assert!(window.app().results().chart.left[0] > 0, "it was stopped");
 }
 
 #[test]

@@ -25,6 +25,9 @@ const FINE_DECADES: f64 = 2.2;
 /// Labels that find no place nearer than this are left out: the table has them in bold.
 const FAR: f64 = 70.0;
 
+/// Room below an axis' least number, as a share of it.
+const FOOT: f64 = 0.06;
+
 /// Least height between two ticks of an even axis.
 const STEP_HEIGHT: f32 = 34.0;
 
@@ -36,7 +39,9 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui, shown: &Shown<'_>, height
     let y = Axis { label: shown.measure.axis.to_owned(), log_from: shown.measure.log_from, mark: None };
     let places: Vec<(usize, [f64; 2])> = (0..shown.points.len()).filter_map(|i| Some((i, shown.place(i)?))).collect();
     let ranges = [x.range(places.iter().map(|(_, place)| place[0])), y.range(places.iter().map(|(_, place)| place[1]))];
-    let [low, high] = [0, 1].map(|end| [placed(&x, ranges[0][end]), placed(&y, ranges[1][end])]);
+    let [mut low, high] = [0, 1].map(|end| [placed(&x, ranges[0][end]), placed(&y, ranges[1][end])]);
+    // Points at the foot are seen whole.
+    low[1] -= FOOT * (high[1] - low[1]);
     let at = |place: [f64; 2]| [placed(&x, place[0]), placed(&y, place[1])];
     let weak = ui.visuals().weak_text_color();
     let (x_log, y_log) = (x.log_from.is_some(), y.log_from.is_some());
