@@ -6,8 +6,11 @@ use std::time::{Duration, Instant};
 use egui_kittest::Harness;
 use tam_viewer::app::{App, Command, Options};
 
-/// Longest time that anything may take.
+/// Longest time that anything may take that the view shows.
 const PATIENCE: Duration = Duration::from_secs(120);
+
+/// Longest time that measuring may take: some forty ways of drawing, each in a dozen pictures.
+const MEASURING: Duration = Duration::from_secs(400);
 
 /// A window with the application.
 pub struct Window {
@@ -42,13 +45,25 @@ impl Window {
     /// # Panics
     /// If it never is.
     pub fn settle(&mut self) {
+        self.wait_until_still(PATIENCE, |app| !app.is_busy());
+    }
+
+    /// Lets the application work until the chart in sight and any fit are finished too.
+    ///
+    /// # Panics
+    /// If they never are.
+    pub fn settle_measuring(&mut self) {
+        self.wait_until_still(MEASURING, |app| !app.is_busy() && !app.is_measuring());
+    }
+
+    fn wait_until_still(&mut self, patience: Duration, rests: impl Fn(&App) -> bool) {
         let start = Instant::now();
         let mut still = 0;
         while still < 4 {
-            assert!(start.elapsed() < PATIENCE, "the application never comes to rest");
+            assert!(start.elapsed() < patience, "the application never comes to rest");
             self.harness.step();
             let app = self.harness.state();
-            still = if app.results().picture.is_some() && !app.is_busy() { still + 1 } else { 0 };
+            still = if app.results().picture.is_some() && rests(app) { still + 1 } else { 0 };
             if still == 0 {
                 std::thread::sleep(Duration::from_millis(5));
             }

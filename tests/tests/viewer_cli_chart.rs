@@ -35,7 +35,7 @@ fn a_quick_chart_has_all_files_and_all_figures() {
     assert_eq!(run.status, 0, "{run:?}");
     let json = run.json();
     let files = listing(&folder.path().join("out"));
-    for name in ["tone", "direction", "edges", "orbit", "light"] {
+    for name in ["tone", "direction", "edges", "orbit", "zoom", "light", "popping"] {
         assert!(files.contains(&format!("{name}.svg")), "{files:?}");
         check_png(&folder.path().join("out").join(format!("{name}.png")));
         let front = json["fronts"][name].as_array().expect("a front");
@@ -85,7 +85,7 @@ fn a_quick_chart_has_all_files_and_all_figures() {
     assert!(number(of_method("six-way"), "bytes") > number(of_method("halftone"), "bytes") + 64.0 * 64.0);
 
     let page = fs::read_to_string(folder.path().join("out/index.html")).expect("a page");
-    check_page(&page, 5);
+    check_page(&page, 7);
     for text in ["--mesh cube", "--quick", "tam-viewer 0.", "six-way, triplanar", "llvmpipe"] {
         assert!(page.contains(text), "{text} is not on the page");
     }

@@ -14,19 +14,10 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 use super::ChartError;
-use super::labels::{Label, place_labels};
+use super::axis::{Axis, tick};
+use super::colours::GROUP_COLOURS;
+use super::labels::{Label, along, place_labels};
 use super::pareto::pareto_front;
-
-/// An axis; less is better on both.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
-    /// What is measured, and in which unit.
-    pub label: String,
-    /// Logarithmic from this number (> 0) on, to which smaller ones are raised; `None`: even, from 0.
-    pub log_from: Option<f64>,
-    /// A number that all are compared with, and its name.
-    pub mark: Option<(f64, String)>,
-}
 
 /// A way of doing the work.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,18 +69,6 @@ pub struct Drawn {
     pub png: Vec<u8>,
 }
 
-/// Colours that the colour-blind tell apart (Okabe and Ito 2008), and a brown and a grey.
-const COLOURS: [[u8; 3]; 9] = [
-    [0, 114, 178],
-    [213, 94, 0],
-    [0, 158, 115],
-    [204, 121, 167],
-    [138, 109, 0],
-    [86, 180, 233],
-    [122, 74, 30],
-    [230, 159, 0],
-    [102, 102, 102],
-];
 /// How much of its colour a point keeps that is not on the front.
 const PALE: f64 = 0.45;
 const SIZE: [f64; 2] = [960.0, 560.0];
@@ -100,8 +79,6 @@ const LETTER_PX: f64 = 7.0;
 const LINE_PX: f64 = 15.0;
 /// Labels further than this from their points are tied to them by a line.
 const TIED_PX: f64 = 14.0;
-/// Between samples of the front.
-const LINE_STEP_PX: f64 = 8.0;
 /// Letters in a line of the title.
 const TITLE_LETTERS: usize = 84;
 
@@ -122,7 +99,7 @@ pub fn draw(chart: &Chart) -> Result<Drawn, ChartError> {
         let line = LinePlot::new().with_data(front.iter().map(|i| at(&chart.points[*i])));
         plots.push(line.with_color("#333333").with_stroke_width(1.4).into());
     }
-    for (group, colour) in (0..chart.groups.len()).zip(COLOURS.iter().cycle()) {
+    for (group, colour) in (0..chart.groups.len()).zip(GROUP_COLOURS.iter().cycle()) {
         for (baseline, best) in [(false, false), (true, false), (false, true), (true, true)] {
             let wanted = |i: &&usize| {
                 let point = &chart.points[**i];
@@ -166,7 +143,7 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
         shape: LegendShape::Circle,
         dasharray: None,
     };
-    let mut legend: Vec<LegendEntry> = chart.groups.iter().zip(COLOURS.iter().cycle()).map(legend).collect();
+    let mut legend: Vec<LegendEntry> = chart.groups.iter().zip(GROUP_COLOURS.iter().cycle()).map(legend).collect();
     let entry = |label: &str, shape| LegendEntry {
         label: label.to_owned(),
         color: "#333333".to_owned(),
@@ -178,8 +155,8 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
     }
     legend.push(entry("Pareto front", LegendShape::Line));
     let (x, y) = (
-        range(&chart.x, chart.points.iter().map(|point| point.x)),
-        range(&chart.y, chart.points.iter().map(|point| point.y)),
+        chart.x.range(chart.points.iter().map(|point| point.x)),
+        chart.y.range(chart.points.iter().map(|point| point.y)),
     );
     let plain = || TickFormat::Custom(Arc::new(tick));
     // Without points there is nothing to find ranges by.
@@ -222,45 +199,6 @@ fn layout(chart: &Chart, plots: &[Plot]) -> Layout {
 fn hex(colour: [u8; 3], strength: f64) -> String {
     let [r, g, b] = colour.map(|channel| (255.0 - strength * (255.0 - f64::from(channel))).round() as u8);
     format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// What an axis shows: all numbers, and room at the ends for dots and labels.
-fn range(axis: &Axis, numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    let mark = axis.mark.iter().map(|(number, _)| *number);
-    let numbers = numbers.filter(|number| number.is_finite()).chain(mark);
-    let (least, most) = numbers.fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
-    match axis.log_from {
-        Some(from) => {
-            let (least, most) = (if least.is_finite() { least.max(from) } else { from }, most.max(2.0 * from));
-            // A tenth of the way, and no less than a tenth of the number.
-            let room = libm::pow(most / least, 0.08).max(1.1);
-            [least / room, most * room]
-        }
-        None => [0.0, if most > 0.0 { 1.1 * most } else { 1.0 }],
-    }
-}
-
-/// A number at a tick: ticks are 1, 2 or 5 times a power of ten.
-fn tick(number: f64) -> String {
-    let size = number.abs();
-    if number != 0.0 && !(1e-4..1e6).contains(&size) {
-        return format!("{number:.0e}");
-    }
-    let text = format!("{number:.5}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-/// Samples of a line through points, which labels keep away from.
-fn along(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let between = |ends: &[[f64; 2]]| {
-        let [from, to] = [ends[0], ends[1]];
-        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / LINE_STEP_PX).ceil().max(1.0) as u32;
-        let at = move |step: u32| {
-            [0, 1].map(|side| from[side] + (to[side] - from[side]) * f64::from(step) / f64::from(steps))
-        };
-        (1..steps).map(at).collect::<Vec<_>>()
-    };
-    points.windows(2).flat_map(between).collect()
 }
 
 /// Writes the names of the points of the front where there is room.

@@ -23,6 +23,8 @@ const STEP_PX: f64 = 9.0;
 const GAP_PX: f64 = 3.0;
 /// Radius kept free around points.
 const POINT_PX: f64 = 6.0;
+/// Between samples of a line that labels keep away from.
+const LINE_STEP_PX: f64 = 8.0;
 /// Between samples of lines.
 const TIE_STEP_PX: f64 = 5.0;
 /// What it costs a label to lie on another, in pixels of distance from its point.
@@ -124,6 +126,19 @@ fn hidden(point: [f64; 2], at: [f64; 2], own: [f64; 2]) -> bool {
 fn distance_to([left, top, right, bottom]: [f64; 4], [x, y]: [f64; 2]) -> f64 {
     let off = |at: f64, low: f64, high: f64| (low - at).max(at - high).max(0.0);
     off(x, left, right).hypot(off(y, top, bottom))
+}
+
+/// Samples of a line through points, in pixels, which labels keep away from.
+pub fn along(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let between = |ends: &[[f64; 2]]| {
+        let [from, to] = [ends[0], ends[1]];
+        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / LINE_STEP_PX).ceil().max(1.0) as u32;
+        let at = move |step: u32| {
+            [0, 1].map(|side| from[side] + (to[side] - from[side]) * f64::from(step) / f64::from(steps))
+        };
+        (1..steps).map(at).collect::<Vec<_>>()
+    };
+    points.windows(2).flat_map(between).collect()
 }
 
 #[cfg(test)]

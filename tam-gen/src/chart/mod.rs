@@ -4,6 +4,8 @@
 //! points ─► front (Pareto) ─► labels ─► drawing (SVG, PNG) ─► page (HTML), with a table (CSV)
 //! ```
 
+mod axis;
+mod colours;
 mod pareto;
 
 #[cfg(feature = "cli")]
@@ -18,9 +20,11 @@ mod report;
 #[cfg(feature = "cli")]
 mod table;
 
+pub use axis::{Axis, tick};
+pub use colours::GROUP_COLOURS;
 #[cfg(feature = "cli")]
-pub use drawing::{Axis, Chart, ChartPoint, Drawn, draw};
-pub use labels::{Label, place_labels};
+pub use drawing::{Chart, ChartPoint, Drawn, draw};
+pub use labels::{Label, along, place_labels};
 #[cfg(feature = "cli")]
 pub use page::{PAGE_CSS, Page, Thumbnail, html};
 pub use pareto::pareto_front;

@@ -22,6 +22,7 @@ fn it_starts_with_a_finished_picture_and_every_panel_opens() {
         (Pane::Export, "Contact sheet"),
         (Pane::Map, "Nesting"),
         (Pane::Checks, "Limit"),
+        (Pane::Chart, "All ways"),
         (Pane::View, "A | B"),
     ] {
         window.run(Command::ShowPane(pane));

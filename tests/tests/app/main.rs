@@ -1,5 +1,6 @@
 //! The application, used through its window.
 
+mod chart;
 mod controls;
 mod files;
 mod helpers;

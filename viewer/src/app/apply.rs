@@ -35,6 +35,10 @@ pub enum Effect {
     SaveTurntable(PathBuf),
     /// Stop writing.
     CancelFile,
+    /// Find the cheapest way to draw the scene.
+    Fit,
+    /// Stop that.
+    CancelFit,
     /// Show a folder to the user.
     Reveal(PathBuf),
     /// Load the mesh again though its name is the same.
@@ -73,6 +77,10 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
     match command {
         Command::SetPreset(preset) => state.document.preset = *preset,
         Command::SetLook(look) => state.document.look = *look,
+        Command::SetMaterial(preset, look) => {
+            state.document.preset = *preset;
+            state.document.look = *look;
+        }
         Command::SetLights(lights) => state.document.lights = lights,
         Command::SetMaterials(materials) => state.document.materials = materials,
         Command::SetMesh(mesh) => set_mesh(state, mesh),
@@ -194,7 +202,13 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
         Command::OpenGuides(None) => return vec![Effect::Ask(Ask::OpenGuides)],
         Command::Cancel => return vec![Effect::CancelFile],
 
+        Command::SetChart(chart) => state.settings.chart = chart,
+        Command::SetFit(fit) => state.settings.fit = fit,
+        Command::Fit => return vec![Effect::Fit],
+        Command::CancelFit => return vec![Effect::CancelFit],
+
         Command::ShowCell(cell) => state.transient.map = cell,
+        Command::ShowChart(chart) => state.transient.chart = chart,
         Command::ShowPane(pane) => {
             model.layout.make_active(|_, tile| matches!(tile, Tile::Pane(shown) if *shown == pane));
         }

@@ -6,8 +6,8 @@ use tam_gen::Preset;
 
 use super::layout::Pane;
 use super::state::{
-    CellView, Compare, Dialog, ExportSettings, Look, MeshSource, Motion, Navigation, PictureSettings, Theme, Tool,
-    TurntableSettings,
+    CellView, ChartSettings, ChartView, Compare, Dialog, ExportSettings, FitSettings, Look, MeshSource, Motion,
+    Navigation, PictureSettings, Theme, Tool, TurntableSettings,
 };
 use crate::Camera;
 use crate::scene::{Lights, Material};
@@ -19,6 +19,8 @@ pub enum Command {
     SetPreset(Box<Preset>),
     /// Change method, mapping or what they need.
     SetLook(Box<Look>),
+    /// Change the preset, and method, mapping and form, in one step.
+    SetMaterial(Box<Preset>, Box<Look>),
     /// Change the lights.
     SetLights(Lights),
     /// Change the materials of the mesh's objects.
@@ -95,8 +97,19 @@ pub enum Command {
     /// Stop what is being written.
     Cancel,
 
+    /// Change what the chart measures.
+    SetChart(ChartSettings),
+    /// Change what a fit is asked for.
+    SetFit(FitSettings),
+    /// Find the cheapest way to draw the scene.
+    Fit,
+    /// Stop that.
+    CancelFit,
+
     /// Choose what the map panel shows.
     ShowCell(CellView),
+    /// Choose what the chart panel shows.
+    ShowChart(ChartView),
     /// Bring a panel to the front.
     ShowPane(Pane),
     /// Put all panels where they were at first.

@@ -21,14 +21,25 @@ pub enum Pane {
     Map,
     /// The constraints.
     Checks,
+    /// What every way to draw costs, and how far it errs.
+    Chart,
     /// Files for engines.
     Export,
 }
 
 impl Pane {
     /// All of them.
-    pub const ALL: [Self; 8] =
-        [Self::View, Self::Presets, Self::Strokes, Self::Shading, Self::Scene, Self::Map, Self::Checks, Self::Export];
+    pub const ALL: [Self; 9] = [
+        Self::View,
+        Self::Presets,
+        Self::Strokes,
+        Self::Shading,
+        Self::Scene,
+        Self::Map,
+        Self::Checks,
+        Self::Chart,
+        Self::Export,
+    ];
 
     /// What its tab says.
     pub fn title(self) -> &'static str {
@@ -40,6 +51,7 @@ impl Pane {
             Self::Scene => "Scene",
             Self::Map => "Map",
             Self::Checks => "Checks",
+            Self::Chart => "Chart",
             Self::Export => "Export",
         }
     }
@@ -54,7 +66,7 @@ pub(crate) fn default_layout() -> Tree<Pane> {
     };
     let left = tabs(&mut tiles, &[Pane::Presets, Pane::Scene]);
     let view = tabs(&mut tiles, &[Pane::View]);
-    let map = tabs(&mut tiles, &[Pane::Map, Pane::Checks]);
+    let map = tabs(&mut tiles, &[Pane::Map, Pane::Checks, Pane::Chart]);
     let right = tabs(&mut tiles, &[Pane::Strokes, Pane::Shading, Pane::Export]);
     let middle = split(&mut tiles, LinearDir::Vertical, &[(view, 0.68), (map, 0.32)]);
     let root = split(&mut tiles, LinearDir::Horizontal, &[(left, 0.17), (middle, 0.57), (right, 0.26)]);

@@ -34,4 +34,4 @@ pub use run::{AppError, WindowOptions, run};
 pub use session::default_path as default_session;
 pub use state::*;
 pub use window::{App, Options};
-pub use work::Results;
+pub use work::{ChartResults, FitResults, FittedScene, MeasuredWay, Results};

@@ -76,7 +76,7 @@ struct Photographer {
 impl eframe::App for Photographer {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         eframe::App::ui(&mut self.app, ui, frame);
-        let ready = self.app.results().picture.is_some() && !self.app.is_busy();
+        let ready = self.app.results().picture.is_some() && !self.app.is_busy() && !self.app.is_measuring();
         self.still = if ready { self.still + 1 } else { 0 };
         ui.ctx().request_repaint();
         if self.still > AT_REST && !self.asked {

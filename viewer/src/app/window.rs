@@ -52,6 +52,7 @@ pub struct App {
     asker: Asker,
     watch: FileWatch,
     view: ViewReport,
+    chart_shown: bool,
     notices: Vec<ShownNotice>,
     messages: Vec<Notice>,
     session: Option<PathBuf>,
@@ -105,6 +106,7 @@ impl App {
             asker: Asker::new(Arc::clone(&wake)),
             watch: FileWatch::new(wake),
             view: ViewReport::default(),
+            chart_shown: false,
             notices: Vec::new(),
             messages: Vec::new(),
             session: options.session,
@@ -135,9 +137,14 @@ impl App {
         &self.messages
     }
 
-    /// Whether anything is still being made or drawn.
+    /// Whether anything that the view shows is still being made or drawn.
     pub fn is_busy(&self) -> bool {
         self.engine.is_busy()
+    }
+
+    /// Whether ways to draw the scene are being measured, for the chart or a fit, or are still to be.
+    pub fn is_measuring(&self) -> bool {
+        self.engine.is_measuring()
     }
 
     /// Carries out a command, as if a panel had asked for it.
@@ -242,9 +249,11 @@ impl App {
             textures: &mut self.textures,
             commands,
             view: &mut self.view,
+            chart_shown: &mut self.chart_shown,
             can: &can,
         };
         panel.view.hide();
+        *panel.chart_shown = false;
         egui::Panel::top("menu").show(ui, |ui| menu_bar(&mut panel, ui, actions));
         egui::Panel::bottom("status").show(ui, |ui| status_bar(&mut panel, ui));
         let ctx = ui.ctx().clone();
@@ -276,6 +285,8 @@ impl App {
                 started = self.engine.save_turntable(&self.model.state, &self.results, path);
             }
             Effect::CancelFile => self.engine.cancel_file(),
+            Effect::Fit => started = self.engine.fit(&self.model.state, &mut self.results, self.view.size_px),
+            Effect::CancelFit => self.engine.cancel_fit(),
             Effect::Reveal(folder) => {
                 if let Err(error) = opener::open(&folder) {
                     let text = format!("{} cannot be shown: {error}", folder.display());
@@ -330,7 +341,11 @@ impl App {
             ctx.request_repaint_after(Duration::from_secs_f64(WHEEL_S));
         }
         let held = ctx.input(|input| input.pointer.any_down());
-        let demand = Demand { size_px: self.view.size_px, moving: held || wheel || state.transient.motion.is_some() };
+        let demand = Demand {
+            size_px: self.view.size_px,
+            moving: held || wheel || state.transient.motion.is_some(),
+            chart_shown: self.chart_shown,
+        };
         self.engine.follow(state, demand, &mut self.results);
         self.watch.follow(state.document.source.file().map(PathBuf::as_path));
     }

@@ -20,7 +20,7 @@ pub struct Setting<'a> {
 }
 
 /// Frames of a way between frames of `phong`.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Cost {
     /// Median over the pairs of the way's time over that of `phong`.
     pub ratio: f64,

@@ -20,7 +20,7 @@ const REACH_PX: [f64; 2] = [1.0 + ZOOM, 1.0];
 
 /// Cost and errors of one way. What cannot be measured is left out: `phong` has no strokes, crisp patterns may have no
 /// edges to cross.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Figures {
     /// Frames, beside those of `phong`.
     pub cost: Cost,
@@ -85,17 +85,7 @@ pub fn measure_way(
         bytes,
         tone_rmse: tone.map(|errors| errors.rmse),
         tone_bias: tone.map(|errors| errors.bias),
-        direction_deg: None,
-        run_px: None,
-        edge_continuity: None,
-        orbit_change: None,
-        zoom_change: None,
-        swimming: None,
-        popping_slope: None,
-        popping_rest: None,
-        deaths: None,
-        births: None,
-        deaths_by_chance: None,
+        ..Figures::default()
     };
     if params.method == Method::Phong {
         return Ok((figures, picture));

@@ -79,6 +79,11 @@ impl Views {
         })
     }
 
+    /// Width and height of the pictures.
+    pub fn size_px(&self) -> [u32; 2] {
+        self.still.aov.size
+    }
+
     /// The scene that stands still.
     pub fn scene(&self) -> &Scene {
         &self.still.scene

@@ -273,13 +273,6 @@ impl<'a> Files<'a> {
     }
 }
 
-/// Name of a way with its map.
-fn label(tried: &Tried) -> String {
-    let map =
-        tried.map.map(|map| format!(", {} to {} px, {}", map.size, map.coarsest, counted(map.tones as usize, "tone")));
-    tried.way() + &map.unwrap_or_else(|| ", no map".into())
-}
-
 fn to_text(args: &FitArgs, subject: &Subject, found: &Fit) -> String {
     let row = |title: &str, tried: &Tried| {
         let (what, worst) = match &tried.missed {
@@ -288,7 +281,7 @@ fn to_text(args: &FitArgs, subject: &Subject, found: &Fit) -> String {
         };
         format!(
             "{title:<7} {:<48} {:>10} {:>6.2}x phong   {what} {:.4} at {}\n",
-            label(tried),
+            tried.label(),
             size(tried.bytes),
             tried.cost_ratio,
             worst.error,
@@ -304,12 +297,8 @@ fn to_text(args: &FitArgs, subject: &Subject, found: &Fit) -> String {
     );
     text += &row("now", &found.full);
     text += &row("fitted", &found.best);
-    let saved = |now: f64, fitted: f64| 100.0 * (1.0 - fitted / now);
-    text += &format!(
-        "saves {:.0} % of the memory and {:.0} % of the frame\n",
-        saved(found.full.bytes as f64, found.best.bytes as f64),
-        saved(found.full.cost_ratio, found.best.cost_ratio)
-    );
+    let [memory, frame] = found.saved_percent();
+    text += &format!("saves {memory:.0} % of the memory and {frame:.0} % of the frame\n");
     for tried in &found.failing {
         text += &row("fails", tried);
     }

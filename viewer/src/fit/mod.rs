@@ -12,6 +12,7 @@
 mod maps;
 mod range;
 mod search;
+mod words;
 
 pub use maps::{FitMap, smaller};
 pub use range::{FitRange, FitView};

@@ -23,6 +23,9 @@ const BETWEEN: [[f64; 2]; 3] = [[0.25, 0.75], [0.125, 0.625], [0.375, 0.875]];
 /// Mean change of the ink from which on pictures are told apart.
 const TOLD_APART: f64 = 1e-3;
 
+/// Share of the progress that is reported while frames are timed.
+const COSTS_SHARE: f32 = 0.2;
+
 /// What is drawn of, and with what.
 pub struct Bench<'a> {
     /// The renderer.
@@ -127,19 +130,18 @@ pub fn fit(bench: &mut Bench<'_>, scene: &Scene, options: &FitOptions<'_>, job: 
     let mesh = bench.mesh;
     let view_at = |places: &[f64]| options.range.views(mesh, scene, size, places);
     let mut views = view_at(&SEARCHED)?;
-    let whole = HatchMap::from_preset(bench.name, bench.preset, job)?;
-    let whole = bench.renderer.map(whole);
+    let whole = bench.map(FitMap::of(bench.preset), job)?;
     let mut costs = Vec::new();
-    for params in options.ways.iter().chain([&options.full]) {
+    for (timed, params) in options.ways.iter().chain([&options.full]).enumerate() {
         stop(job)?;
+        job.report(COSTS_SHARE * timed as f32 / (options.ways.len() + 1) as f32);
         let cost = cost(bench.renderer, &bench.setting, scene, params, &whole, options.pairs)?;
         costs.push((*params, cost.ratio));
     }
     let full_ratio = costs.pop().map_or(1.0, |(_, ratio)| ratio);
     costs.sort_by(|a, b| a.1.partial_cmp(&b.1).unwrap_or(Ordering::Equal));
 
-    for (round, between) in BETWEEN.iter().enumerate() {
-        report(job, round as f32 / BETWEEN.len() as f32);
+    for between in &BETWEEN {
         let full = bench.tried(&options.full, FitMap::of(bench.preset), full_ratio, &whole, &views, None)?;
         let found = search(bench, options, &costs, &whole, &views, job)?;
         let (best, failing) = found.ok_or(FitError::OutOfReach { error: options.error, full: full.worst.clone() })?;
@@ -173,8 +175,10 @@ fn search(
 ) -> Result<Option<(Tried, Vec<Tried>)>, FitError> {
     let limit = Some(options.error);
     let mut failing = Vec::new();
-    for (params, ratio) in costs {
+    for (place, (params, ratio)) in costs.iter().enumerate() {
+        let searched = |part: f32| COSTS_SHARE + (1.0 - COSTS_SHARE) * (place as f32 + part) / costs.len() as f32;
         stop(job)?;
+        job.report(searched(0.0));
         let tried = bench.tried(params, FitMap::of(bench.preset), *ratio, whole, views, limit)?;
         if tried.worst.error > options.error {
             failing.push(tried);
@@ -184,8 +188,11 @@ fn search(
             return Ok(Some((tried, failing)));
         }
         let mut best = tried;
-        for choice in smaller(bench.preset, Way { params: *params, map: 0 }.mixes_columns()) {
+        let choices = smaller(bench.preset, Way { params: *params, map: 0 }.mixes_columns());
+        for (tried, choice) in choices.iter().enumerate() {
             stop(job)?;
+            job.report(searched(tried as f32 / choices.len() as f32));
+            let choice = *choice;
             let map = bench.map(choice, job)?;
             let tried = bench.tried(params, choice, *ratio, &map, views, limit)?;
             if tried.worst.error <= options.error {
@@ -290,20 +297,6 @@ impl Bench<'_> {
     }
 }
 
-impl Tried {
-    /// How it is drawn, in words.
-    pub fn way(&self) -> String {
-        Way { params: self.params, map: 0 }.name()
-    }
-}
-
-fn report(job: &Job<'_>, part: f32) {
-    if let Some(progress) = job.progress {
-        progress(part);
-    }
-}
-
 fn stop(job: &Job<'_>) -> Result<(), GenerateError> {
-    let cancelled = job.cancel.is_some_and(|cancel| cancel.load(std::sync::atomic::Ordering::Relaxed));
-    if cancelled { Err(GenerateError::Cancelled) } else { Ok(()) }
+    if job.cancelled() { Err(GenerateError::Cancelled) } else { Ok(()) }
 }

@@ -1,5 +1,6 @@
 //! The panels: functions of the state that push commands.
 
+mod chart;
 mod checks;
 mod export;
 mod map;
@@ -48,6 +49,8 @@ pub(crate) struct Panel<'a> {
     pub commands: &'a mut Vec<Command>,
     /// What the view found out about itself.
     pub view: &'a mut ViewReport,
+    /// Whether the chart is in sight.
+    pub chart_shown: &'a mut bool,
     /// Every action, for menus.
     pub can: &'a dyn Fn(&Action) -> bool,
 }
@@ -68,6 +71,7 @@ impl Panel<'_> {
             Pane::Scene => scene::show(self, ui),
             Pane::Map => map::show(self, ui),
             Pane::Checks => checks::show(self, ui),
+            Pane::Chart => chart::show(self, ui),
             Pane::Export => export::show(self, ui),
         }
     }

@@ -49,6 +49,23 @@ pub(super) fn row(ui: &mut Ui, number: Number<'_>, value: &mut f64) -> bool {
     changed
 }
 
+/// A row for two numbers in order; whether one was changed.
+pub(super) fn range_row(ui: &mut Ui, number: Number<'_>, default: [f64; 2], range: &mut [f64; 2]) -> bool {
+    let before = *range;
+    ui.horizontal(|ui| {
+        let label = name(ui, number.name, number.doc);
+        let suffix = if number.unit == "degrees" { "°" } else { "" };
+        let speed = if number.unit == "degrees" { 1.0 } else { 0.02 };
+        let [from, to] = before;
+        for (prefix, value, within) in [("from ", 0, number.min..=to), ("to ", 1, from..=number.max)] {
+            let drag = egui::DragValue::new(&mut range[value]).speed(speed).range(within).max_decimals(2);
+            ui.add(drag.prefix(prefix).suffix(suffix)).labelled_by(label.id);
+        }
+        reset(ui, number.name, before != default, || *range = default);
+    });
+    before != *range
+}
+
 /// The name in front of a row, with its help.
 pub(super) fn name(ui: &mut Ui, name: impl Into<WidgetText>, doc: &str) -> Response {
     let height = ui.spacing().interact_size.y;
@@ -83,7 +100,9 @@ pub(super) fn slider(ui: &mut Ui, number: Number<'_>, value: &mut f64, label: &R
         .clamping(SliderClamping::Always)
         .suffix(spaced)
         .trailing_fill(true);
-    slider = if whole { slider.integer() } else { slider.max_decimals(3) };
+    // Sliders round to what they show.
+    let decimals = if min > 0.0 && min < 1e-3 { 4 } else { 3 };
+    slider = if whole { slider.integer() } else { slider.max_decimals(decimals) };
     let response = ui.add(slider).labelled_by(label.id);
     let response = if number.doc.is_empty() { response } else { response.on_hover_text(number.doc) };
     response.changed()

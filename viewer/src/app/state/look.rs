@@ -87,6 +87,21 @@ impl Look {
         fitted
     }
 
+    /// The same drawn in another way: its method, form, and what goes with these; lines over the strokes and all that
+    /// methods share stay.
+    pub fn with_way(&self, way: &RenderParams) -> Self {
+        let mut look = self.clone();
+        let params = &mut look.params;
+        (params.method, params.form) = (way.method, way.form);
+        if way.method.takes_mapping() {
+            params.mapping = way.mapping;
+        }
+        if way.method == Method::Stripes {
+            (params.cross_from, params.variety) = (way.cross_from, way.variety);
+        }
+        look
+    }
+
     /// What has to be made of the surface before it can be drawn; `None`: nothing. `world_from_mesh` is the identity.
     pub fn surface_options(&self, lights: &Lights) -> Option<SurfaceOptions> {
         let params = &self.params;
@@ -105,6 +120,11 @@ impl Look {
         if patches.is_none() && lapped.is_none() && stripes.is_none() {
             return None;
         }
+        Some(SurfaceOptions { field: self.field_options(lights), patches, lapped, stripes })
+    }
+
+    /// Which way strokes run. `world_from_mesh` is the identity.
+    pub fn field_options(&self, lights: &Lights) -> FieldOptions {
         let source = match self.field {
             FieldChoice::Curvature => FieldSource::Curvature,
             FieldChoice::LowerCurvature => FieldSource::LowerCurvature,
@@ -112,8 +132,7 @@ impl Look {
             FieldChoice::Uv => FieldSource::Uv,
             FieldChoice::Constant(direction) => FieldSource::Constant(direction),
         };
-        let field = FieldOptions { source, smoothing: self.smoothing, guides: self.guides.clone() };
-        Some(SurfaceOptions { field, patches, lapped, stripes })
+        FieldOptions { source, smoothing: self.smoothing, guides: self.guides.clone() }
     }
 }
 

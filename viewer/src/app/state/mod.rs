@@ -1,5 +1,6 @@
 //! What the application knows, apart from windows, devices and threads: plain data that can be written to a file.
 
+mod chart;
 mod document;
 mod look;
 mod settings;
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use tam_gen::Preset;
 
+pub use chart::{ChartSettings, ChartSort, ChartTab, ChartView, FitSettings};
 pub use document::{Compare, Document, MeshSource, PresetSource};
 pub use look::{FieldChoice, Look};
 pub use settings::{ExportSettings, Navigation, PictureSettings, Settings, Theme, TurntableSettings};

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use super::chart::{ChartSettings, FitSettings};
+
 /// Habits and places.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -24,6 +26,10 @@ pub struct Settings {
     pub picture: PictureSettings,
     /// Turntables that are saved.
     pub turntable: TurntableSettings,
+    /// What the chart shows.
+    pub chart: ChartSettings,
+    /// What a fit is asked for.
+    pub fit: FitSettings,
     /// Keys of strokes that a random change leaves alone.
     pub locked: Vec<String>,
     /// Whether the sun over the mesh is shown.
@@ -41,6 +47,8 @@ impl Default for Settings {
             export: ExportSettings::default(),
             picture: PictureSettings::default(),
             turntable: TurntableSettings::default(),
+            chart: ChartSettings::default(),
+            fit: FitSettings::default(),
             locked: Vec::new(),
             light_handle: true,
         }

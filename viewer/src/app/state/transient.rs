@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::chart::ChartView;
 use super::document::MeshSource;
 use crate::mesh::deform::Deform;
 use crate::scene::Material;
@@ -12,6 +13,8 @@ use crate::surface::Guide;
 pub struct Transient {
     /// What the map panel shows.
     pub map: CellView,
+    /// What the chart panel shows.
+    pub chart: ChartView,
     /// What moves in the view.
     pub motion: Option<Motion>,
     /// Phase of that movement, in periods.

@@ -8,6 +8,7 @@ use tam_gen::export::ExportOptions;
 
 use super::files::{FileReply, FileRequest, FileWorker, file_worker, formats};
 use super::map::{CheckWorker, MadeMap, MapRequest, MapWorker, check_worker, map_worker};
+use super::measuring::Measuring;
 use super::mesh::{LoadedMesh, MeshWorker, mesh_worker};
 use super::pace::Pace;
 use super::painter::{Shot, Side};
@@ -25,7 +26,7 @@ use crate::{Mapping, Method, Scene};
 const SURFACES: usize = 6;
 
 /// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
-const SURFACE_TRIANGLES: usize = 2_000_000;
+pub(super) const SURFACE_TRIANGLES: usize = 2_000_000;
 
 /// What the view is like at the moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,6 +35,8 @@ pub(crate) struct Demand {
     pub size_px: [u32; 2],
     /// A button is held or something plays.
     pub moving: bool,
+    /// The chart is in sight.
+    pub chart_shown: bool,
 }
 
 /// The workers.
@@ -45,6 +48,7 @@ pub(crate) struct Engine {
     surfaces: SurfaceWorker,
     pictures: PictureWorker,
     files: FileWorker,
+    measuring: Measuring,
     asked: Asked,
     made: Vec<MadeSurface>,
     other_map: Option<Arc<MadeMap>>,
@@ -80,6 +84,7 @@ impl Engine {
             surfaces: surface_worker(Arc::clone(wake))?,
             pictures: picture_worker(Arc::clone(wake))?,
             files: file_worker(Arc::clone(wake))?,
+            measuring: Measuring::start(wake)?,
             asked: Asked::default(),
             made: Vec::new(),
             other_map: None,
@@ -108,6 +113,8 @@ impl Engine {
         if let Some(mesh) = results.mesh.clone() {
             self.follow_surfaces(state, demand, &mesh, results);
             self.follow_picture(state, demand, &mesh, results);
+            let busy = self.is_busy();
+            self.measuring.follow(state, &scene(state, &mesh), demand, busy, &self.made, results);
         }
         let running = [
             ("Map", self.maps.progress()),
@@ -226,6 +233,22 @@ impl Engine {
         }
     }
 
+    /// Whether ways to draw are being measured, or wait to be.
+    pub(crate) fn is_measuring(&self) -> bool {
+        self.measuring.is_busy()
+    }
+
+    /// Looks for the least that the open scene needs. `false`: that is being done already, or the scene is not there yet.
+    pub(crate) fn fit(&self, state: &State, results: &mut Results, view_px: [u32; 2]) -> bool {
+        let Some(mesh) = results.mesh.clone() else { return false };
+        self.measuring.fit(state, &scene(state, &mesh), view_px, &self.made, results)
+    }
+
+    /// Stops that.
+    pub(crate) fn cancel_fit(&self) {
+        self.measuring.cancel_fit();
+    }
+
     /// What the view shows, at this size; `None` while something of it is still to be made.
     fn shot(
         &self,
@@ -246,10 +269,7 @@ impl Engine {
             sides.push(self.side(look, state, mesh, map, preset));
             split = compare.split;
         }
-        let mut scene = Scene { camera: state.camera, lights: state.document.lights.clone(), ..Scene::of(&mesh.mesh) };
-        for (own, wanted) in scene.materials.iter_mut().zip(&state.document.materials) {
-            *own = wanted.clone();
-        }
+        let scene = scene(state, mesh);
         let pose = state.transient.motion.map(|motion| (path_of(motion), state.transient.phase));
         Some(Shot { size_px, samples, scene, pose, sides, split })
     }
@@ -332,12 +352,7 @@ impl Engine {
         }
         for reply in self.surfaces.replies() {
             match reply {
-                SurfaceReply::Made(made) => {
-                    if self.made.len() >= SURFACES {
-                        self.made.remove(0);
-                    }
-                    self.made.push(*made);
-                }
+                SurfaceReply::Made(made) => keep(&mut self.made, *made),
                 SurfaceReply::Failed(request, problem) => {
                     notice(Severity::Error, problem.clone());
                     results.surface_problem = Some(problem);
@@ -374,6 +389,12 @@ impl Engine {
                 FileReply::Written { text, .. } => notice(Severity::Done, format!("{what}: {text}")),
                 FileReply::Failed(problem) => notice(Severity::Error, format!("{what}: {problem}")),
                 FileReply::Cancelled => notice(Severity::Info, format!("{what} was stopped; nothing was written.")),
+            }
+        }
+        for made in self.measuring.collect(results) {
+            // What was made for a mesh that is still there saves the view from making it again.
+            if results.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(&mesh.mesh, &made.request.mesh)) {
+                keep(&mut self.made, made);
             }
         }
         (notices, back)
@@ -448,6 +469,23 @@ fn is_new(asked: &Option<MapRequest>, wanted: &MapRequest) -> bool {
         let changed = (&asked.preset, &asked.name) != (&wanted.preset, &wanted.name);
         changed || (wanted.fine && !asked.fine) || (asked.draft_px.is_some() && wanted.draft_px.is_none())
     })
+}
+
+/// Keeps a surface, in place of the oldest.
+fn keep(kept: &mut Vec<MadeSurface>, made: MadeSurface) {
+    if kept.len() >= SURFACES {
+        kept.remove(0);
+    }
+    kept.push(made);
+}
+
+/// The open scene.
+fn scene(state: &State, mesh: &LoadedMesh) -> Scene {
+    let mut scene = Scene { camera: state.camera, lights: state.document.lights.clone(), ..Scene::of(&mesh.mesh) };
+    for (own, wanted) in scene.materials.iter_mut().zip(&state.document.materials) {
+        *own = wanted.clone();
+    }
+    scene
 }
 
 /// The looks of both sides, as far as the mesh allows.

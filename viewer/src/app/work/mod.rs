@@ -1,21 +1,28 @@
-//! Long work, away from the window: maps, checks, meshes, surfaces, pictures, files.
+//! Long work, away from the window: maps, checks, meshes, surfaces, pictures, files, and what every way to draw costs.
 //!
 //! [`Engine::follow`] compares the state with what was last asked for and asks for what is missing; replies become
 //! [`Results`], which panels read. Nothing here waits.
 
+mod chart;
 mod engine;
 mod files;
+mod fit;
 mod map;
+mod measuring;
 mod mesh;
 mod pace;
 mod painter;
 mod picture;
 mod results;
+mod stand;
+mod subject;
 mod surface;
 mod thumbnails;
 mod worker;
 
+pub use chart::{ChartResults, MeasuredWay};
 pub(crate) use engine::{Demand, Engine};
+pub use fit::{FitResults, FittedScene};
 pub(crate) use map::MadeMap;
 pub use results::Results;
 pub(crate) use worker::Wake;

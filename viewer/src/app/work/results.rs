@@ -6,6 +6,8 @@ use std::sync::Arc;
 use egui::ColorImage;
 use tam_gen::checks::Report;
 
+use super::chart::ChartResults;
+use super::fit::FitResults;
 use super::map::MadeMap;
 use super::mesh::LoadedMesh;
 use super::picture::Shown;
@@ -31,6 +33,10 @@ pub struct Results {
     pub thumbnails: HashMap<String, Thumbnail>,
     /// Device and driver.
     pub adapter: Option<String>,
+    /// What every way to draw the scene costs.
+    pub chart: ChartResults,
+    /// The least that the scene needs.
+    pub fit: FitResults,
     /// What is going on, each with its part done, 0..=1.
     pub running: Vec<(&'static str, f32)>,
     /// Part done of the file that is being written.

@@ -40,24 +40,29 @@ pub(super) type SurfaceWorker = Worker<SurfaceRequest, SurfaceReply>;
 
 /// Starts the worker that makes surfaces.
 pub(super) fn surface_worker(wake: Wake) -> std::io::Result<SurfaceWorker> {
-    let work = |(): &mut (), request: SurfaceRequest, job: &Job<'_>, reply: &dyn Fn(SurfaceReply)| {
-        let SurfaceOptions { patches, lapped, .. } = &request.options;
-        let edges = [patches.map(|patches| patches.longest_edge()), lapped.map(|lapped| lapped.longest_edge())];
-        let mesh = match edges.into_iter().flatten().reduce(f64::min) {
-            Some(longest) => Arc::new(request.mesh.subdivided(longest as f32)),
-            None => Arc::clone(&request.mesh),
-        };
-        match Surface::new_with(&mesh, &request.options, job) {
-            Ok(surface) => {
-                reply(SurfaceReply::Made(Box::new(MadeSurface { request, mesh, surface: Arc::new(surface) })))
-            }
-            Err(SurfaceError::Cancelled) => {}
-            Err(error) => {
-                let words = format!("strokes cannot follow this mesh: {error}");
-                reply(SurfaceReply::Failed(Some(Box::new(request)), words));
-            }
+    let work = |(): &mut (), request: SurfaceRequest, job: &Job<'_>, reply: &dyn Fn(SurfaceReply)| match make_surface(
+        request.clone(),
+        job,
+    ) {
+        Ok(made) => reply(SurfaceReply::Made(Box::new(made))),
+        Err(SurfaceError::Cancelled) => {}
+        Err(error) => {
+            let words = format!("strokes cannot follow this mesh: {error}");
+            reply(SurfaceReply::Failed(Some(Box::new(request)), words));
         }
     };
     let failed = |words: String| SurfaceReply::Failed(None, format!("strokes cannot follow this mesh: {words}"));
     Worker::start("surfaces", Duration::ZERO, wake, || (), work, failed)
+}
+
+/// Makes a surface.
+pub(super) fn make_surface(request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
+    let SurfaceOptions { patches, lapped, .. } = &request.options;
+    let edges = [patches.map(|patches| patches.longest_edge()), lapped.map(|lapped| lapped.longest_edge())];
+    let mesh = match edges.into_iter().flatten().reduce(f64::min) {
+        Some(longest) => Arc::new(request.mesh.subdivided(longest as f32)),
+        None => Arc::clone(&request.mesh),
+    };
+    let surface = Arc::new(Surface::new_with(&mesh, &request.options, job)?);
+    Ok(MadeSurface { request, mesh, surface })
 }

@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use tam_gen::Job;
@@ -19,7 +20,11 @@ pub(crate) struct Worker<Request, Reply> {
     shared: Arc<Shared<Request>>,
     patience: Duration,
     replies: Receiver<Reply>,
+    thread: JoinHandle<()>,
 }
+
+/// How long a worker that is dropped is waited for: drivers break down where a process ends while a thread draws.
+const LEAVE: Duration = Duration::from_secs(2);
 
 struct Shared<Request> {
     inbox: Mutex<Inbox<Request>>,
@@ -60,7 +65,7 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
         let shared = Arc::new(Shared { inbox: Mutex::new(inbox), filled: Condvar::new(), done: AtomicU32::new(0) });
         let (sender, replies) = channel();
         let of_thread = Arc::clone(&shared);
-        std::thread::Builder::new().name(name.to_owned()).spawn(move || {
+        let thread = std::thread::Builder::new().name(name.to_owned()).spawn(move || {
             let mut state = state();
             while let Some((request, cancel)) = of_thread.next() {
                 let reply = |reply: Reply| send(&sender, &wake, reply);
@@ -81,7 +86,7 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
                 wake();
             }
         })?;
-        Ok(Self { shared, patience, replies })
+        Ok(Self { shared, patience, replies, thread })
     }
 
     /// Asks for this next; what is being worked on and what waits is dropped.
@@ -151,6 +156,16 @@ impl<Request> Shared<Request> {
 
 impl<Request, Reply> Drop for Worker<Request, Reply> {
     fn drop(&mut self) {
+        self.close();
+        let start = Instant::now();
+        while !self.thread.is_finished() && start.elapsed() < LEAVE {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+}
+
+impl<Request, Reply> Worker<Request, Reply> {
+    fn close(&self) {
         let mut inbox = self.shared.lock();
         inbox.closed = true;
         if let Some((cancel, _)) = &inbox.working {
@@ -235,6 +250,25 @@ mod tests {
         let replies: Vec<_> = worker.replies().collect();
         assert!(replies[0].as_ref().is_err_and(|words| words.contains("as asked for")), "{replies:?}");
         assert_eq!(replies[1], Ok(()));
+    }
+
+    #[test]
+    fn a_worker_that_is_dropped_has_left_off() {
+        let done = Arc::new(AtomicBool::new(false));
+        let of_thread = Arc::clone(&done);
+        let work = move |(): &mut (), (), job: &Job<'_>, _: &dyn Fn(())| {
+            while !job.cancelled() {
+                std::thread::yield_now();
+            }
+            std::thread::sleep(Duration::from_millis(30));
+            of_thread.store(true, Ordering::Relaxed);
+        };
+        let worker: Worker<(), ()> =
+            Worker::start("test", Duration::ZERO, quiet(), || (), work, |_| ()).expect("a thread");
+        worker.request(());
+        wait_until(|| worker.shared.lock().working.is_some());
+        drop(worker);
+        assert!(done.load(Ordering::Relaxed));
     }
 
     #[test]

@@ -10,9 +10,9 @@ use serde_json::json;
 use tam_gen::chart::check_folder;
 use tam_gen::command::words::{duration, milliseconds, path_text};
 use tam_gen::command::{Failure, Output, Progress, interrupt};
-use tam_viewer::chart::{Figures, MapChoice, Setting, Way, measure_way};
+use tam_viewer::chart::{Figures, MapChoice, Setting, Way, is_repeated, measure_way};
 use tam_viewer::gpu::Picture;
-use tam_viewer::{Form, FrameTimer, Mapping, Method, RenderParams};
+use tam_viewer::{FrameTimer, Mapping, Method};
 
 use super::parse;
 use super::report as failure;
@@ -137,18 +137,12 @@ fn measure(args: &ChartArgs, measured: &mut Measured, output: &Output) -> Result
         progress.set(done as f32 / ways.len() as f32);
         let (figures, picture) =
             measure_way(renderer, &setting, mesh, &maps[way.map], views, way, args.pairs()).map_err(failure::render)?;
-        if draws_the_same(&points, way, &picture) {
+        let drawn = points.iter().filter_map(|point| Some((&point.way, point.picture.as_ref()?)));
+        if is_repeated(way, &picture, drawn) {
             continue;
         }
         let picture = Some(picture).filter(|_| way.map == 0);
         points.push(Point { way: *way, label: way.label(&choices), figures, picture });
     }
     Ok(points)
-}
-
-/// Whether a literal form draws what the hardened one drew already: it is no way of its own in this scene.
-fn draws_the_same(points: &[Point], way: &Way, picture: &Picture) -> bool {
-    let hardened = Way { params: RenderParams { form: Form::Hardened, ..way.params }, ..*way };
-    let same = |point: &Point| point.way == hardened && point.picture.as_ref() == Some(picture);
-    hardened != *way && points.iter().any(same)
 }

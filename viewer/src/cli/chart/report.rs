@@ -7,15 +7,12 @@ use image::{DynamicImage, ImageFormat};
 use tam_gen::chart::{Axis, Chart, ChartPoint, Page, Report, Table, Thumbnail, figure};
 use tam_gen::command::Failure;
 use tam_gen::command::words::path_text;
-use tam_viewer::chart::Figures;
+use tam_viewer::chart::{COST_AXIS, COST_LOG_FROM, Figures, MEASURES, Measure};
 use tam_viewer::gpu::Picture;
 use tam_viewer::{Form, Method};
 
 use super::scene::Measured;
 use super::{ChartArgs, Point};
-
-/// Breaks at edges up to this are none: they are counted over about 10⁴ pairs of pixels.
-const EDGE_NOISE: f64 = 0.02;
 
 /// Longer side of the pictures on the page.
 const THUMBNAIL_PX: u32 = 192;
@@ -27,63 +24,11 @@ pub(super) fn report(args: &ChartArgs, measured: &Measured, points: &[Point]) ->
             page.thumbnails.push(thumbnail(point, picture)?);
         }
     }
-    let charts = SHOWN.iter().filter_map(|shown| chart(shown, measured, points)).collect();
+    let charts = MEASURES.iter().filter_map(|measure| chart(measure, measured, points)).collect();
     Ok(Report { table: table(measured, points), charts, page })
 }
 
-/// An error that is charted against the cost.
-struct Shown {
-    /// Name of its files.
-    file: &'static str,
-    /// In a title.
-    short: &'static str,
-    /// On the axis.
-    axis: &'static str,
-    /// Where the axis is logarithmic from.
-    log_from: Option<f64>,
-    error: fn(&Figures) -> Option<f64>,
-}
-
-const SHOWN: [Shown; 5] = [
-    Shown {
-        file: "tone",
-        short: "error of tone",
-        axis: "error of tone, RMS (L*)",
-        log_from: Some(0.05),
-        error: |figures| figures.tone_rmse,
-    },
-    Shown {
-        file: "direction",
-        short: "error of direction",
-        axis: "mean angle to the wanted direction (°)",
-        log_from: None,
-        error: |figures| figures.direction_deg,
-    },
-    Shown {
-        file: "edges",
-        short: "break at mesh edges",
-        axis: "changes of ink, across edges / inside faces - 1",
-        log_from: None,
-        // Less change at edges than elsewhere is no break: faces meet where the surface is steep and dark.
-        error: |figures| figures.edge_continuity.map(|ratio| (ratio - 1.0).max(EDGE_NOISE)),
-    },
-    Shown {
-        file: "orbit",
-        short: "change under an orbit",
-        axis: "change of strokes over 2° of orbit (1 unrelated)",
-        log_from: None,
-        error: |figures| figures.orbit_change,
-    },
-    Shown {
-        file: "light",
-        short: "swimming under the light",
-        axis: "swimming over 1° of light (1 unrelated)",
-        log_from: Some(1e-4),
-        error: |figures| figures.swimming.map(|swimming| swimming.max(0.0)),
-    },
-];
-
-fn chart(shown: &Shown, measured: &Measured, points: &[Point]) -> Option<Chart> {
+fn chart(measure: &Measure, measured: &Measured, points: &[Point]) -> Option<Chart> {
     // The yardstick has no strokes: it is 1 on the axis of cost, and no way to hatch.
     let drawn = || points.iter().filter(|point| point.way.params.method != Method::Phong);
     let mut methods: Vec<Method> = drawn().map(|point| point.way.params.method).collect();
@@ -94,25 +39,25 @@ fn chart(shown: &Shown, measured: &Measured, points: &[Point]) -> Option<Chart> 
             group: methods.iter().position(|method| *method == point.way.params.method)?,
             baseline: point.way.params.form == Form::Literal,
             x: point.figures.cost.ratio,
-            y: (shown.error)(&point.figures)?,
+            y: (measure.of)(&point.figures)?,
         })
     };
     let points: Vec<ChartPoint> = drawn().filter_map(charted).collect();
     let mut chart = Chart {
-        name: shown.file.to_owned(),
+        name: measure.name.to_owned(),
         title: String::new(),
         subtitle: subtitle(measured),
         x: Axis {
-            label: "time of a frame over that of phong (ratio)".into(),
-            log_from: Some(0.1),
+            label: COST_AXIS.into(),
+            log_from: Some(COST_LOG_FROM),
             mark: Some((1.0, Method::Phong.name().to_owned())),
         },
-        y: Axis { label: shown.axis.to_owned(), log_from: shown.log_from, mark: None },
+        y: Axis { label: measure.axis.to_owned(), log_from: measure.log_from, mark: None },
         groups: methods.iter().map(|method| method.name().to_owned()).collect(),
         points,
     };
     let best = &chart.points[*chart.front().last()?];
-    chart.title = format!("Least {}: {}, at {:.2}x phong", shown.short, best.label, best.x);
+    chart.title = format!("Least {}: {}, at {:.2}x phong", measure.short, best.label, best.x);
     Some(chart)
 }
 
