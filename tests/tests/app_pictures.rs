@@ -82,6 +82,20 @@ fn windows_in_three_sizes_dark_and_light() {
     save(&mut window, "app-compare-2560.png");
 }
 
+#[test]
+#[ignore = "draws the pictures of the front page"]
+fn the_chart_of_the_open_scene() {
+    let mut window = Window::open([1920.0, 1080.0], None);
+    window.settle();
+    set_mesh(&mut window, Sample::Hand);
+    window.run(Command::SetTheme(Theme::Light));
+    window.run(Command::ShowPane(Pane::Scene));
+    window.run(Command::ShowPane(Pane::Shading));
+    window.run(Command::ShowPane(Pane::Chart));
+    window.settle_measuring();
+    save(&mut window, "app-chart-1920.png");
+}
+
 /// Width of the recording's frames.
 const RECORDED: [u32; 2] = [640, 400];
 

@@ -10,8 +10,12 @@ fn column_coordinate(d: f32) -> f32 {
     if FORM == FORM_LITERAL {
         return clamp(d, 0.0, 1.0) * f32(n);
     }
-    var low = 0u;
-    var high = n;
+    // Columns are mostly spaced evenly, and the first guess is right; else they are searched.
+    let guess = min(u32(max(d, 0.0) / max(column_tone(n), 1e-6) * f32(n)), n - 1u);
+    let above = column_tone(guess) > d;
+    let below = column_tone(guess + 1u) <= d;
+    var low = select(min(guess + u32(below), n - 1u), 0u, above);
+    var high = select(select(guess + 1u, n, below), guess, above);
     while high - low > 1u {
         let middle = (low + high) / 2u;
         if column_tone(middle) <= d {

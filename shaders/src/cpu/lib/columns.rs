@@ -14,7 +14,14 @@ pub fn column_coordinate(form: Form, material: &Material, d: f64) -> f64 {
     if form == Form::Literal {
         return d.clamp(0.0, 1.0) * f64::from(n);
     }
-    let (mut low, mut high) = (0, n);
+    let guess = ((d.max(0.0) / column_tone(material, n).max(1e-6) * f64::from(n)) as u32).min(n - 1);
+    let (mut low, mut high) = if column_tone(material, guess) > d {
+        (0, guess)
+    } else if column_tone(material, guess + 1) <= d {
+        ((guess + 1).min(n - 1), n)
+    } else {
+        (guess, guess + 1)
+    };
     while high - low > 1 {
         let middle = low.midpoint(high);
         if column_tone(material, middle) <= d {
