@@ -1,12 +1,14 @@
 //! The window: draws the panels, carries out what they ask for, and lets the engine follow.
 
+mod keeping;
+
 use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use egui::{Context, Ui, ViewportCommand};
-use egui_tiles::{SimplificationOptions, TileId, Tree, UiResponse};
+use egui_tiles::{SimplificationOptions, TileId, UiResponse};
 
 use super::actions::{Action, actions, is_possible};
 use super::apply::{Effect, Model, apply, tell};
@@ -15,18 +17,16 @@ use super::command::Command;
 use super::history::History;
 use super::layout::{Pane, default_layout};
 use super::panels::{Panel, ShownNotice, ViewReport, dialogs, menu_bar, notices, status_bar};
-use super::session::{self, Session};
-use super::state::{Dialog, MeshSource, Notice, PresetSource, Severity, State};
+use super::session;
+use super::state::{Dialog, Notice, PresetSource, Severity, State};
 use super::textures::Textures;
 use super::watch::FileWatch;
 use super::work::{Demand, Engine, Results, Wake};
 use super::{panels, style};
+use keeping::{Written, look_up_saved};
 
 /// How long a movement by the wheel is taken to go on, in seconds.
 const WHEEL_S: f64 = 0.18;
-
-/// Time between writes of the session, in seconds.
-const SESSION_S: f64 = 2.0;
 
 /// Seconds of one round of what plays.
 const ROUND_S: f64 = 10.0;
@@ -62,13 +62,6 @@ pub struct App {
     title: String,
     /// When it started, until the first picture is there.
     started: Option<Instant>,
-}
-
-/// What the session file holds, and since when.
-struct Written {
-    state: State,
-    layout: Tree<Pane>,
-    at_s: f64,
 }
 
 impl App {
@@ -383,37 +376,6 @@ impl App {
         }
     }
 
-    /// Writes the session down from time to time.
-    fn keep(&mut self, ctx: &Context, time_s: f64, held: bool) {
-        if self.session.is_none() || held {
-            return;
-        }
-        let Model { state, layout, .. } = &self.model;
-        let written = self.written.as_ref();
-        if written.is_some_and(|written| written.layout == *layout && same_on_disk(&written.state, state)) {
-            return;
-        }
-        if written.is_none_or(|written| time_s - written.at_s > SESSION_S) {
-            self.write_session(false);
-            let (state, layout) = (self.model.state.clone(), self.model.layout.clone());
-            self.written = Some(Written { state, layout, at_s: time_s });
-        } else {
-            ctx.request_repaint_after(Duration::from_secs_f64(SESSION_S));
-        }
-    }
-
-    fn write_session(&mut self, closed: bool) {
-        let Some(path) = &self.session else { return };
-        let session = Session { state: self.model.state.clone(), layout: self.model.layout.clone(), closed };
-        if let Err(error) = session::write(path, &session) {
-            // Once is enough: a full disk stays full for a while.
-            let text = format!("The session cannot be kept: {error}");
-            if !self.messages.iter().any(|message| message.text == text) {
-                tell(&mut self.model.state, Severity::Warning, text);
-            }
-        }
-    }
-
     fn name_window(&mut self, ctx: &Context) {
         let state = &self.model.state;
         let mark = if state.is_unsaved() { " •" } else { "" };
@@ -478,37 +440,4 @@ fn dropped(ctx: &Context, commands: &mut Vec<Command>) {
     if !paths.is_empty() {
         commands.push(Command::OpenFiles(paths));
     }
-}
-
-/// Finds out what is on disk, so that it is known what is unsaved.
-fn look_up_saved(state: &mut State) {
-    let source = state.document.source.clone();
-    let on_disk = match &source {
-        PresetSource::Shipped(name) => tam_gen::Preset::named(name).and_then(Result::ok),
-        PresetSource::File(path) => match tam_gen::Preset::load(path) {
-            Ok(preset) => Some(preset),
-            Err(_) => {
-                let text = format!("{} can no longer be read; what was open is still here.", path.display());
-                tell(state, Severity::Warning, text);
-                None
-            }
-        },
-        PresetSource::New(_) => state.saved.get(&source.key()).cloned(),
-    };
-    state.saved.clear();
-    state.saved.extend(on_disk.map(|preset| (source.key(), preset)));
-    if let MeshSource::File(path) = &state.document.mesh
-        && !path.exists()
-    {
-        let text = format!("{} is gone; another mesh is shown.", path.display());
-        tell(state, Severity::Warning, text);
-        state.document.mesh = MeshSource::default();
-        state.transient.frame_mesh = true;
-    }
-}
-
-/// Whether a session file would hold the same.
-fn same_on_disk(written: &State, state: &State) -> bool {
-    (&written.document, &written.camera, &written.settings, &written.saved)
-        == (&state.document, &state.camera, &state.settings, &state.saved)
 }

@@ -1,29 +1,29 @@
 //! All workers, and what to ask them for.
 
+mod collect;
+mod view;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use tam_gen::Preset;
 use tam_gen::export::ExportOptions;
 
-use super::files::{FileReply, FileRequest, FileWorker, file_worker, formats};
+use super::files::{FileRequest, FileWorker, file_worker, formats};
 use super::map::{CheckWorker, MadeMap, MapRequest, MapWorker, check_worker, map_worker};
 use super::measuring::Measuring;
 use super::mesh::{LoadedMesh, MeshWorker, mesh_worker};
 use super::pace::Pace;
-use super::painter::{Shot, Side};
-use super::picture::{PictureReply, PictureRequest, PictureWorker, Stillness, picture_worker};
-use super::results::{Results, Thumbnail};
-use super::surface::{MadeSurface, SurfaceReply, SurfaceRequest, SurfaceWorker, surface_worker};
-use super::thumbnails::{Subject, ThumbnailRequest, linear_colours};
+use super::painter::Shot;
+use super::picture::{PictureRequest, PictureWorker, Stillness, picture_worker};
+use super::results::Results;
+use super::surface::{MadeSurface, SurfaceRequest, SurfaceWorker, surface_worker};
+use super::thumbnails::{Subject, ThumbnailRequest};
 use super::worker::Wake;
+use crate::Method;
 use crate::app::state::{Compare, Look, MeshSource, Motion, Notice, Severity, State};
 use crate::app::words;
-use crate::turntable::Path;
-use crate::{Mapping, Method, Scene};
-
-/// Surfaces that are kept, so that switching back is at once.
-const SURFACES: usize = 6;
+use view::{looks, path_of, scene, surface_request};
 
 /// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
 pub(super) const SURFACE_TRIANGLES: usize = 2_000_000;
@@ -249,157 +249,6 @@ impl Engine {
         self.measuring.cancel_fit();
     }
 
-    /// What the view shows, at this size; `None` while something of it is still to be made.
-    fn shot(
-        &self,
-        state: &State,
-        mesh: &LoadedMesh,
-        map: &Arc<MadeMap>,
-        size_px: [u32; 2],
-        samples: u32,
-    ) -> Option<Shot> {
-        let looks = looks(state, mesh);
-        let mut sides = vec![self.side(&looks[0], state, mesh, map, &state.document.preset)];
-        let mut split = 1.0;
-        if let (Some(look), Some(compare)) = (looks.get(1), &state.document.compare) {
-            let (map, preset) = match &compare.preset {
-                Some((_, preset)) => (self.other_map.as_ref()?, preset),
-                None => (map, &state.document.preset),
-            };
-            sides.push(self.side(look, state, mesh, map, preset));
-            split = compare.split;
-        }
-        let scene = scene(state, mesh);
-        let pose = state.transient.motion.map(|motion| (path_of(motion), state.transient.phase));
-        Some(Shot { size_px, samples, scene, pose, sides, split })
-    }
-
-    /// One side, with the surface that is there: that of an older choice until the new one is made, and three planes until
-    /// there is any.
-    fn side(&self, look: &Look, state: &State, mesh: &LoadedMesh, map: &Arc<MadeMap>, preset: &Preset) -> Side {
-        let side = |params, mesh: &Arc<_>, surface| Side {
-            params,
-            mesh: Arc::clone(mesh),
-            surface,
-            map: Arc::clone(&map.hatch),
-            colours: linear_colours(preset),
-        };
-        let Some(request) = surface_request(look, state, mesh) else {
-            return side(look.params, &mesh.mesh, None);
-        };
-        let exact = self.made.iter().find(|made| made.request == request);
-        let serves =
-            |made: &&MadeSurface| Arc::ptr_eq(&made.request.mesh, &request.mesh) && serves(&made.request, &request);
-        match exact.or_else(|| self.made.iter().rev().find(serves)) {
-            Some(made) => side(look.params, &made.mesh, Some(Arc::clone(&made.surface))),
-            None => {
-                let mut params = look.params;
-                params.mapping = Mapping::Triplanar;
-                if params.method == Method::Stripes {
-                    params.method = Method::Phong;
-                }
-                side(params, &mesh.mesh, None)
-            }
-        }
-    }
-
-    /// Takes what workers have made; returns what the user should know, and whether the mesh asked for could not be loaded.
-    pub(crate) fn collect(&mut self, results: &mut Results) -> (Vec<Notice>, bool) {
-        let mut notices = std::mem::take(&mut self.told);
-        let mut notice = |severity, text: String| notices.push(Notice { severity, text });
-        let mut back = false;
-        for reply in self.maps.replies() {
-            match reply {
-                Ok(made) => {
-                    if !made.draft {
-                        self.pace.map_made(made.preset.map.size, made.took);
-                        self.checks.request(Arc::clone(&made));
-                    }
-                    (results.map, results.map_problem) = (Some(made), None);
-                }
-                Err(problem) => results.map_problem = Some(problem),
-            }
-        }
-        for reply in self.other_maps.replies() {
-            match reply {
-                Ok(made) => self.other_map = Some(made),
-                Err(problem) => notice(Severity::Error, problem),
-            }
-        }
-        for (map, report) in self.checks.replies() {
-            match (map, report) {
-                (Some(map), Ok(report)) => results.report = Some((map, report)),
-                (_, Ok(_)) => {}
-                (_, Err(problem)) => notice(Severity::Error, problem),
-            }
-        }
-        for reply in self.meshes.replies() {
-            match reply.result {
-                Ok(mesh) => {
-                    self.refused.clear();
-                    self.made.retain(|made| Arc::ptr_eq(&made.request.mesh, &mesh.mesh));
-                    results.mesh = Some(mesh);
-                }
-                Err(problem) => {
-                    notice(Severity::Error, problem);
-                    if self.asked.mesh.as_ref() == Some(&reply.source) {
-                        // What is shown needs not be loaded again.
-                        self.asked.mesh = results.mesh.as_ref().map(|mesh| mesh.source.clone());
-                        back = true;
-                    }
-                }
-            }
-        }
-        for reply in self.surfaces.replies() {
-            match reply {
-                SurfaceReply::Made(made) => keep(&mut self.made, *made),
-                SurfaceReply::Failed(request, problem) => {
-                    notice(Severity::Error, problem.clone());
-                    results.surface_problem = Some(problem);
-                    self.refused.extend(request.map(|request| *request).or_else(|| self.asked.surface.clone()));
-                }
-            }
-        }
-        for reply in self.pictures.replies() {
-            match reply {
-                PictureReply::Adapter(adapter) => results.adapter = Some(adapter),
-                PictureReply::Shown(shown) => {
-                    if shown.stillness == Stillness::Still {
-                        self.pace.picture_drawn(shown.cost);
-                    }
-                    (results.picture, results.picture_problem) = (Some(shown), None);
-                }
-                PictureReply::Thumbnail { key, image } => {
-                    results.thumbnails.insert(key, Thumbnail(image));
-                }
-                PictureReply::Reopened(cause) => {
-                    notice(Severity::Warning, format!("{cause}. It was opened again; nothing is lost."));
-                }
-                PictureReply::Failed(problem) => {
-                    if results.picture_problem.as_ref() != Some(&problem) {
-                        notice(Severity::Error, problem.clone());
-                    }
-                    results.picture_problem = Some(problem);
-                }
-            }
-        }
-        for reply in self.files.replies() {
-            let what = self.writing.take().unwrap_or_default();
-            match reply {
-                FileReply::Written { text, .. } => notice(Severity::Done, format!("{what}: {text}")),
-                FileReply::Failed(problem) => notice(Severity::Error, format!("{what}: {problem}")),
-                FileReply::Cancelled => notice(Severity::Info, format!("{what} was stopped; nothing was written.")),
-            }
-        }
-        for made in self.measuring.collect(results) {
-            // What was made for a mesh that is still there saves the view from making it again.
-            if results.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(&mesh.mesh, &made.request.mesh)) {
-                keep(&mut self.made, made);
-            }
-        }
-        (notices, back)
-    }
-
     /// Loads the mesh again, as its file has changed.
     pub(crate) fn reload_mesh(&mut self) {
         self.asked.mesh = None;
@@ -469,53 +318,4 @@ fn is_new(asked: &Option<MapRequest>, wanted: &MapRequest) -> bool {
         let changed = (&asked.preset, &asked.name) != (&wanted.preset, &wanted.name);
         changed || (wanted.fine && !asked.fine) || (asked.draft_px.is_some() && wanted.draft_px.is_none())
     })
-}
-
-/// Keeps a surface, in place of the oldest.
-fn keep(kept: &mut Vec<MadeSurface>, made: MadeSurface) {
-    if kept.len() >= SURFACES {
-        kept.remove(0);
-    }
-    kept.push(made);
-}
-
-/// The open scene.
-fn scene(state: &State, mesh: &LoadedMesh) -> Scene {
-    let mut scene = Scene { camera: state.camera, lights: state.document.lights.clone(), ..Scene::of(&mesh.mesh) };
-    for (own, wanted) in scene.materials.iter_mut().zip(&state.document.materials) {
-        *own = wanted.clone();
-    }
-    scene
-}
-
-/// The looks of both sides, as far as the mesh allows.
-fn looks(state: &State, mesh: &LoadedMesh) -> Vec<Look> {
-    let document = &state.document;
-    let other = document.compare.as_ref().map(|compare| &compare.look);
-    std::iter::once(&document.look).chain(other).map(|look| look.fitted(&mesh.mesh)).collect()
-}
-
-fn surface_request(look: &Look, state: &State, mesh: &LoadedMesh) -> Option<SurfaceRequest> {
-    let options = look.surface_options(&state.document.lights)?;
-    Some(SurfaceRequest { mesh: Arc::clone(&mesh.mesh), options })
-}
-
-/// Whether a surface can stand in for another of the same mesh: it has all that is drawn with.
-fn serves(made: &SurfaceRequest, wanted: &SurfaceRequest) -> bool {
-    let (made, wanted) = (&made.options, &wanted.options);
-    let follow = match (&made.patches, &wanted.patches) {
-        (Some(made), Some(wanted)) => made.follow == wanted.follow,
-        (None, Some(_)) => false,
-        (_, None) => true,
-    };
-    follow && (wanted.lapped.is_none() || made.lapped.is_some()) && (wanted.stripes.is_none() || made.stripes.is_some())
-}
-
-fn path_of(motion: Motion) -> Path {
-    match motion {
-        Motion::Orbit => Path::Orbit,
-        Motion::Light => Path::Light,
-        Motion::Deform(deform) => Path::Deform(deform),
-        Motion::Animation => Path::Animation,
-    }
 }

@@ -1,0 +1,120 @@
+//! What workers have made.
+
+use std::sync::Arc;
+
+use super::super::files::FileReply;
+use super::super::picture::{PictureReply, Stillness};
+use super::super::results::{Results, Thumbnail};
+use super::super::surface::{MadeSurface, SurfaceReply};
+use super::Engine;
+use crate::app::state::{Notice, Severity};
+
+/// Surfaces that are kept, so that switching back is at once.
+const SURFACES: usize = 6;
+
+impl Engine {
+    /// Takes what workers have made; returns what the user should know, and whether the mesh asked for could not be loaded.
+    pub(crate) fn collect(&mut self, results: &mut Results) -> (Vec<Notice>, bool) {
+        let mut notices = std::mem::take(&mut self.told);
+        let mut notice = |severity, text: String| notices.push(Notice { severity, text });
+        let mut back = false;
+        for reply in self.maps.replies() {
+            match reply {
+                Ok(made) => {
+                    if !made.draft {
+                        self.pace.map_made(made.preset.map.size, made.took);
+                        self.checks.request(Arc::clone(&made));
+                    }
+                    (results.map, results.map_problem) = (Some(made), None);
+                }
+                Err(problem) => results.map_problem = Some(problem),
+            }
+        }
+        for reply in self.other_maps.replies() {
+            match reply {
+                Ok(made) => self.other_map = Some(made),
+                Err(problem) => notice(Severity::Error, problem),
+            }
+        }
+        for (map, report) in self.checks.replies() {
+            match (map, report) {
+                (Some(map), Ok(report)) => results.report = Some((map, report)),
+                (_, Ok(_)) => {}
+                (_, Err(problem)) => notice(Severity::Error, problem),
+            }
+        }
+        for reply in self.meshes.replies() {
+            match reply.result {
+                Ok(mesh) => {
+                    self.refused.clear();
+                    self.made.retain(|made| Arc::ptr_eq(&made.request.mesh, &mesh.mesh));
+                    results.mesh = Some(mesh);
+                }
+                Err(problem) => {
+                    notice(Severity::Error, problem);
+                    if self.asked.mesh.as_ref() == Some(&reply.source) {
+                        // What is shown needs not be loaded again.
+                        self.asked.mesh = results.mesh.as_ref().map(|mesh| mesh.source.clone());
+                        back = true;
+                    }
+                }
+            }
+        }
+        for reply in self.surfaces.replies() {
+            match reply {
+                SurfaceReply::Made(made) => keep(&mut self.made, *made),
+                SurfaceReply::Failed(request, problem) => {
+                    notice(Severity::Error, problem.clone());
+                    results.surface_problem = Some(problem);
+                    self.refused.extend(request.map(|request| *request).or_else(|| self.asked.surface.clone()));
+                }
+            }
+        }
+        for reply in self.pictures.replies() {
+            match reply {
+                PictureReply::Adapter(adapter) => results.adapter = Some(adapter),
+                PictureReply::Shown(shown) => {
+                    if shown.stillness == Stillness::Still {
+                        self.pace.picture_drawn(shown.cost);
+                    }
+                    (results.picture, results.picture_problem) = (Some(shown), None);
+                }
+                PictureReply::Thumbnail { key, image } => {
+                    results.thumbnails.insert(key, Thumbnail(image));
+                }
+                PictureReply::Reopened(cause) => {
+                    notice(Severity::Warning, format!("{cause}. It was opened again; nothing is lost."));
+                }
+                PictureReply::Failed(problem) => {
+                    if results.picture_problem.as_ref() != Some(&problem) {
+                        notice(Severity::Error, problem.clone());
+                    }
+                    results.picture_problem = Some(problem);
+                }
+            }
+        }
+        for reply in self.files.replies() {
+            let what = self.writing.take().unwrap_or_default();
+            match reply {
+                FileReply::Written { text, .. } => notice(Severity::Done, format!("{what}: {text}")),
+                FileReply::Failed(problem) => notice(Severity::Error, format!("{what}: {problem}")),
+                FileReply::Cancelled => notice(Severity::Info, format!("{what} was stopped; nothing was written.")),
+            }
+        }
+        for made in self.measuring.collect(results) {
+            // What was made for a mesh that is still there saves the view from making it again.
+            if results.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(&mesh.mesh, &made.request.mesh)) {
+                keep(&mut self.made, made);
+            }
+        }
+        (notices, back)
+    }
+}
+
+/// Keeps a surface, in place of the oldest.
+fn keep(kept: &mut Vec<MadeSurface>, made: MadeSurface) {
+    if kept.len() >= SURFACES {
+        kept.remove(0);
+    }
+    kept.push(made);
+}
