@@ -47,7 +47,8 @@ impl Default for FitSettings {
             distance: [0.5, 2.0],
             orbit_deg: [0.0, 0.0],
             light_deg: [-30.0, 30.0],
-            error: 0.02,
+            // What the shipped pencil keeps at half the distance in a view of full size, which a first try should find.
+            error: 0.05,
             methods: vec![Method::SixWay, Method::FineTone],
             mappings: Vec::new(),
         }

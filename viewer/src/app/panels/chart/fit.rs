@@ -4,7 +4,7 @@ use egui::{RichText, Ui};
 
 use super::super::Panel;
 use super::super::number::{self, Number};
-use super::column;
+use super::{capitalised, column};
 use crate::app::actions::{mapping_label, method_label};
 use crate::app::command::Command;
 use crate::app::state::{FitSettings, Look};
@@ -127,7 +127,7 @@ fn found(panel: &mut Panel<'_>, ui: &mut Ui) {
             ui.weak("Choose how near and how far the scene is seen and how far tones may be off, then fit.");
         }
         Some(Err(problem)) => {
-            let text = RichText::new(problem).color(ui.visuals().error_fg_color);
+            let text = RichText::new(capitalised(problem)).color(ui.visuals().error_fg_color);
             ui.add(egui::Label::new(text).wrap());
         }
         Some(Ok(fitted)) => {
