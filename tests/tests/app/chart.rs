@@ -219,7 +219,9 @@ fn what_cannot_be_fitted_is_told_in_the_panel() {
         window.settle_measuring();
         let outcome = window.app().results().fit.outcome.clone().expect("it has ended");
         let problem = outcome.expect_err("it cannot be done");
-        assert!(window.harness.query_all_by_label(&problem).count() > 0, "{problem:?} is on the screen");
+        let (first, rest) = problem.split_at(1);
+        let shown = first.to_uppercase() + rest;
+        assert!(window.harness.query_all_by_label(&shown).count() > 0, "{shown:?} is on the screen");
         problem
     };
     let text = problem(&mut window);
