@@ -29,6 +29,8 @@ pub use lib::octahedral;
 pub use options::{Blend, DebugView, Follow, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
+use glam::DVec2;
+
 use crate::types::StripePhases;
 use lib::{material::Material, mesh::Mesh, patches::PatchTable, scene::Scene};
 
@@ -45,9 +47,9 @@ pub struct Bindings<'a> {
     pub material: &'a Material,
     /// Group 2, bindings 1 and 2.
     pub map: &'a MapImage,
-    /// Group 2, binding 3: rows of the distribution table, one per half level; may be empty where the material's
-    /// `distribution_entries` is 0.
-    pub distribution: &'a [Vec<f64>],
+    /// Group 2, binding 3: rows of the distribution table, [`lib::threshold::ROWS_PER_LEVEL`] from each level to the
+    /// next: shares and their rates; may be empty where the material's `distribution_entries` is 0.
+    pub distribution: &'a [Vec<DVec2>],
     /// Group 3, bindings 0 and 1; empty where the mapping is of another kind.
     pub patches: PatchTable<'a>,
     /// Group 3, bindings 4 and 5; empty where the pass draws no stripes.

@@ -44,7 +44,7 @@ pub(crate) struct Setting {
     pub(crate) patch_entries: Vec<types::PatchEntry>,
     pub(crate) seed_turns: Vec<[f32; 4]>,
     pub(crate) map: MapImage,
-    pub(crate) distribution: Vec<Vec<f32>>,
+    pub(crate) distribution: Vec<Vec<[f32; 2]>>,
     pub(crate) twin: Twin,
 }
 
@@ -59,7 +59,7 @@ pub(crate) struct Twin {
     face_planes: Vec<DVec4>,
     face_frames: Vec<FaceFrame>,
     seed_turns: Vec<DVec4>,
-    distribution: Vec<Vec<f64>>,
+    distribution: Vec<Vec<DVec2>>,
 }
 
 impl Setting {
@@ -158,17 +158,18 @@ impl Setting {
         let seed_turns: Vec<[f32; 4]> = (0..TURNS * SEEDS).map(turn).collect();
         let map = noise_map(seed, tones.len() - 1);
         let distribution = distribution(seed);
+        let pair = |pair: &[f32; 2]| DVec2::from(pair.map(f64::from));
         let twin = Twin {
             scene: (&scene).into(),
             material: (&material).into(),
             style: (&style).into(),
             vertices: vertices.iter().map(Vertex::from).collect(),
-            uvs: uvs.iter().map(|uv: &[f32; 2]| DVec2::new(uv[0].into(), uv[1].into())).collect(),
+            uvs: uvs.iter().map(pair).collect(),
             face_normals: face_normals.iter().map(|normal| DVec4::from(normal.map(f64::from))).collect(),
             face_planes: face_planes.iter().map(|plane| DVec4::from(plane.map(f64::from))).collect(),
             face_frames: face_frames.iter().map(FaceFrame::from).collect(),
             seed_turns: seed_turns.iter().map(|turn| DVec4::from(turn.map(f64::from))).collect(),
-            distribution: distribution.iter().map(|row| row.iter().map(|entry| f64::from(*entry)).collect()).collect(),
+            distribution: distribution.iter().map(|row| row.iter().map(pair).collect()).collect(),
         };
         Self {
             scene,
@@ -326,11 +327,12 @@ fn noise_map(seed: u64, columns: usize) -> MapImage {
     MapImage { levels: [16, 8, 4].map(level).to_vec() }
 }
 
-/// Rows for three levels that increase from 0 to 1.
-fn distribution(seed: u64) -> Vec<Vec<f32>> {
+/// Rows for three levels that increase from 0 to 1, with rates of any kind.
+fn distribution(seed: u64) -> Vec<Vec<[f32; 2]>> {
     let row = |row: usize| {
-        let power = Draw::new("distribution", seed, row).between(1000, 0.4, 2.5);
-        (0..9).map(|i| ((f64::from(i) / 8.0).powf(power)) as f32).collect()
+        let draw = Draw::new("distribution", seed, row);
+        let power = draw.between(1000, 0.4, 2.5);
+        (0..9).map(|i| [(i as f64 / 8.0).powf(power) as f32, draw.between(1001 + i, 0.0, 8.0) as f32]).collect()
     };
     (0..=2 * ROWS_PER_LEVEL).map(row).collect()
 }
@@ -429,18 +431,18 @@ fn map_view(gpu: &Gpu, map: &MapImage) -> wgpu::TextureView {
     })
 }
 
-fn table_view(gpu: &Gpu, rows: &[Vec<f32>]) -> wgpu::TextureView {
+fn table_view(gpu: &Gpu, rows: &[Vec<[f32; 2]>]) -> wgpu::TextureView {
     let descriptor = wgpu::TextureDescriptor {
         label: None,
         size: wgpu::Extent3d { width: rows[0].len() as u32, height: rows.len() as u32, depth_or_array_layers: 1 },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::R32Float,
+        format: wgpu::TextureFormat::Rg32Float,
         usage: wgpu::TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
     };
-    let entries: Vec<f32> = rows.concat();
+    let entries: Vec<[f32; 2]> = rows.concat();
     let order = wgpu::util::TextureDataOrder::LayerMajor;
     let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, bytemuck::cast_slice(&entries));
     texture.create_view(&wgpu::TextureViewDescriptor::default())

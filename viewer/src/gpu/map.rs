@@ -117,7 +117,7 @@ struct Layers {
     /// Finest first: side, and all layers one after another.
     levels: Vec<(u32, Vec<u8>)>,
     tones: Vec<f64>,
-    distribution: Vec<Vec<f32>>,
+    distribution: Vec<Vec<[f32; 2]>>,
 }
 
 impl Layers {
@@ -248,9 +248,9 @@ impl Layers {
         }
         let distribution_entries = self.distribution.first().map_or(0, Vec::len);
         if self.distribution.is_empty() {
-            self.distribution.push(vec![0.0]);
+            self.distribution.push(vec![[0.0; 2]]);
         }
-        let table: Vec<f32> = self.distribution.concat();
+        let table: Vec<[f32; 2]> = self.distribution.concat();
         let size = wgpu::Extent3d {
             width: self.distribution[0].len() as u32,
             height: self.distribution.len() as u32,
@@ -262,17 +262,17 @@ impl Layers {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::R32Float,
+            format: wgpu::TextureFormat::Rg32Float,
             usage,
             view_formats: &[],
         });
         let rows = wgpu::TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(size.width * 4),
+            bytes_per_row: Some(size.width * 8),
             rows_per_image: Some(size.height),
         };
         gpu.queue.write_texture(distribution.as_image_copy(), bytemuck::cast_slice(&table), rows, size);
-        bytes += table.len() as u64 * 4;
+        bytes += table.len() as u64 * 8;
 
         let view = texture.create_view(&wgpu::TextureViewDescriptor {
             dimension: Some(wgpu::TextureViewDimension::D2Array),

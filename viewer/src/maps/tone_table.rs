@@ -5,6 +5,7 @@
 //! ink to one side than they gain at the other: some hundredths of tone. Tables are therefore bent until what is drawn has
 //! the mean that was wanted.
 
+use glam::DVec2;
 use rayon::prelude::*;
 use tam_gen::StrokeMap;
 use tam_shaders::cpu::lib::threshold::{ROWS_PER_LEVEL, threshold_centred};
@@ -22,19 +23,21 @@ const ROUNDS: usize = 6;
 const CLOSE: f64 = 5e-4;
 
 /// [`ROWS_PER_LEVEL`] rows from each level, finest first, to the next, and one for the coarsest: entry `i` is the share, 0 ..= 1, for a
-/// filtered threshold of `i / (entries - 1)`. Takes the place of [`StrokeMap::distribution`] where edges are a pixel wide.
+/// filtered threshold of `i / (entries - 1)`, and its change with the threshold. Takes the place of
+/// [`StrokeMap::distribution`] where edges are a pixel wide.
 ///
 /// Exact within 0.001 where a pixel is as wide as a texel of the sampled level, as it is between the finest level and the
 /// coarsest; nearer than that edges are sharper, and tone may be off by some thousandths.
-pub fn tone_table(map: &StrokeMap) -> Vec<Vec<f32>> {
+pub fn tone_table(map: &StrokeMap) -> Vec<Vec<[f32; 2]>> {
     rows(&super::stroke_texels(map))
 }
 
-fn rows(levels: &[Level]) -> Vec<Vec<f32>> {
+fn rows(levels: &[Level]) -> Vec<Vec<[f32; 2]>> {
     let last = levels.len().saturating_sub(1);
     let row = |row: usize| {
         let (finer, share) = (row / ROWS_PER_LEVEL, (row % ROWS_PER_LEVEL) as f64 / ROWS_PER_LEVEL as f64);
-        bent(&classes(&levels[finer], &levels[(finer + 1).min(last)], share))
+        let table = bent(&classes(&levels[finer], &levels[(finer + 1).min(last)], share));
+        rated(&table).into_iter().map(|entry| entry.as_vec2().into()).collect()
     };
     (0..=last * ROWS_PER_LEVEL).into_par_iter().map(row).collect()
 }
@@ -71,7 +74,7 @@ fn classes(finer: &Level, coarser: &Level, share: f64) -> Vec<Class> {
 }
 
 /// The table with which the mean ink of the samples is the tone.
-fn bent(classes: &[Class]) -> Vec<f32> {
+fn bent(classes: &[Class]) -> Vec<f64> {
     let total: f64 = classes.iter().map(|class| class.count).sum();
     let mut table: Vec<f64> = (0..ENTRIES)
         .map(|i| {
@@ -80,36 +83,47 @@ fn bent(classes: &[Class]) -> Vec<f32> {
         })
         .collect();
     for _ in 0..ROUNDS {
+        let entries = rated(&table);
         let drawn: Vec<f64> =
-            (0..TONES).map(|i| mean_ink(classes, total, &table, i as f64 / (TONES - 1) as f64)).collect();
+            (0..TONES).map(|i| mean_ink(classes, total, &entries, i as f64 / (TONES - 1) as f64)).collect();
         let error = |(i, ink): (usize, &f64)| (ink - i as f64 / (TONES - 1) as f64).abs();
         if drawn.iter().enumerate().map(error).fold(0.0, f64::max) < CLOSE {
             break;
         }
         // What is drawn at a tone becomes the share of the thresholds that were drawn half at it.
+        let drawn = rated(&drawn);
         for share in &mut table {
-            *share = interpolated(&drawn, *share).0;
+            *share = interpolated(&drawn, *share).x;
         }
     }
-    table.iter().map(|share| *share as f32).collect()
+    table
 }
 
 /// Mean ink at a tone, with one texel per pixel, as everywhere between the finest and the coarsest level.
-fn mean_ink(classes: &[Class], total: f64, table: &[f64], tone: f64) -> f64 {
+fn mean_ink(classes: &[Class], total: f64, entries: &[DVec2], tone: f64) -> f64 {
     let ink = |class: &Class| {
-        let (share, rate) = interpolated(table, class.theta);
-        class.count * threshold_centred(tone, share, rate * class.step)
+        let entry = interpolated(entries, class.theta);
+        class.count * threshold_centred(tone, entry.x, entry.y * class.step)
     };
     classes.iter().map(ink).sum::<f64>() / total
 }
 
-/// Value and slope of a table over 0 ..= 1.
-fn interpolated(table: &[f64], at: f64) -> (f64, f64) {
-    let steps = (table.len() - 1) as f64;
-    let x = at.clamp(0.0, 1.0) * steps;
-    let i = (x as usize).min(table.len() - 2);
-    let rise = table[i + 1] - table[i];
-    (table[i] + rise * (x - i as f64), rise * steps)
+/// The entries of a table over 0 ..= 1 with their slopes, each taken from one neighbour to the other: between entries
+/// slopes can then pass into each other.
+fn rated(table: &[f64]) -> Vec<DVec2> {
+    let last = table.len() - 1;
+    let entry = |i: usize| {
+        let [before, after] = [i.saturating_sub(1), (i + 1).min(last)];
+        DVec2::new(table[i], (table[after] - table[before]) * last as f64 / (after - before) as f64)
+    };
+    (0..=last).map(entry).collect()
+}
+
+/// Value and slope at a place in 0 ..= 1.
+fn interpolated(entries: &[DVec2], at: f64) -> DVec2 {
+    let x = at.clamp(0.0, 1.0) * (entries.len() - 1) as f64;
+    let i = (x as usize).min(entries.len() - 2);
+    entries[i].lerp(entries[i + 1], x - i as f64)
 }
 
 /// Both channels of a level at a place on the tile.
@@ -141,13 +155,13 @@ mod tests {
         (size, thresholds.iter().zip(steps).flat_map(|(threshold, step)| [*threshold, step]).collect())
     }
 
-    fn worst(classes: &[Class], table: &[f32]) -> f64 {
-        let table: Vec<f64> = table.iter().map(|share| f64::from(*share)).collect();
+    fn worst(classes: &[Class], table: &[f64]) -> f64 {
+        let entries = rated(table);
         let total = classes.iter().map(|class| class.count).sum();
         // Among the texels of one stroke nothing tells which to ink first.
         (20..32)
             .map(|i| f64::from(i) / 32.0)
-            .map(|d| (mean_ink(classes, total, &table, d) - d).abs())
+            .map(|d| (mean_ink(classes, total, &entries, d) - d).abs())
             .fold(0.0, f64::max)
     }
 
@@ -156,7 +170,8 @@ mod tests {
         let table = rows(&[level(32), level(16), level(8)]);
         assert_eq!(table.len(), 2 * ROWS_PER_LEVEL + 1);
         for row in table {
-            assert!(row.is_sorted() && row[0] >= 0.0 && (row[ENTRIES - 1] - 1.0).abs() < 0.01, "{row:?}");
+            let shares: Vec<f32> = row.iter().map(|entry| entry[0]).collect();
+            assert!(shares.is_sorted() && shares[0] >= 0.0 && (shares[ENTRIES - 1] - 1.0).abs() < 0.01, "{shares:?}");
         }
     }
 
@@ -164,11 +179,11 @@ mod tests {
     fn bent_tables_keep_the_tone_better_than_equalised_ones() {
         let classes = classes(&level(64), &level(32), 0.5);
         let total: f64 = classes.iter().map(|class| class.count).sum();
-        let equalised: Vec<f32> = (0..ENTRIES)
+        let equalised: Vec<f64> = (0..ENTRIES)
             .map(|i| {
                 let theta = i as f64 / (ENTRIES - 1) as f64;
                 let at_most = classes.iter().filter(|class| class.theta <= theta).map(|class| class.count).sum::<f64>();
-                (at_most / total) as f32
+                at_most / total
             })
             .collect();
         let [before, after] = [equalised, bent(&classes)].map(|table| worst(&classes, &table));

@@ -73,8 +73,8 @@ pub struct Draw<'a> {
     pub material: &'a types::Material,
     /// What the pass samples; see [`column_pairs`], [`six_columns`] and [`thresholds`].
     pub map: &'a MapImage,
-    /// Rows of the distribution table, for stroke maps.
-    pub distribution: &'a [Vec<f64>],
+    /// Rows of the distribution table, shares and their rates, for stroke maps.
+    pub distribution: &'a [Vec<DVec2>],
     /// Phases of the whole mesh, for the pass that draws stripes.
     pub stripes: StripeTable<'a>,
     /// Patches of the whole mesh, for the mappings that draw with them.

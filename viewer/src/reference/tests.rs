@@ -1,7 +1,7 @@
 //! The reference draws the tones that it is asked for.
 #![allow(clippy::unwrap_used)]
 
-use glam::{DMat4, DVec3, Vec2, Vec3};
+use glam::{DMat4, DVec2, DVec3, Vec2, Vec3};
 use tam_gen::{Job, Map, Preset, generate};
 use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::{MapImage, Options, StripeTable};
@@ -94,7 +94,7 @@ fn pencil() -> Map {
     generate(&preset, &Job::default()).unwrap()
 }
 
-fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<f64>]) -> f64 {
+fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<DVec2>]) -> f64 {
     let reference = Reference::new(&square());
     let draws = [Draw {
         triangles: 0..2,
@@ -129,8 +129,9 @@ fn fine_tone_draws_the_mean_ink_that_is_wanted() {
 fn stroke_map_draws_the_mean_ink_that_is_wanted() {
     let map = pencil();
     let image = thresholds(&map.stroke_map);
-    let table: Vec<Vec<f64>> =
-        tone_table(&map.stroke_map).iter().map(|row| row.iter().map(|entry| f64::from(*entry)).collect()).collect();
+    let table = tone_table(&map.stroke_map);
+    let table: Vec<Vec<DVec2>> =
+        table.iter().map(|row| row.iter().map(|entry| Vec2::from(*entry).as_dvec2()).collect()).collect();
     let material = material(&map.grid.tones, SIDE, map.stroke_map.levels.len(), table[0].len());
     for d in [0.0, 0.05, 0.1, 0.25, 0.4, 0.5, 0.65, 0.8, 0.95, 1.0] {
         let ink = mean_ink(Pass::StrokeMap, d, &material, &image, &table);
@@ -203,7 +204,7 @@ fn square_of_stripes(lines: f32) -> [Vec<types::StripePhases>; 2] {
 fn stripes_draw_the_mean_ink_that_is_wanted_at_any_level() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
-    let distribution: &[Vec<f64>] = &[];
+    let distribution: &[Vec<DVec2>] = &[];
     let mut square_sum = 0.0;
     let mut count = 0.0;
     // Whole lines in both directions, so that the mean is that of a period. Five places between one doubling and the

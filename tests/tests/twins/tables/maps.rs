@@ -7,7 +7,7 @@ use tam_shaders::cpu::lib::columns::{column_ink, map_level};
 use tam_shaders::cpu::lib::halftone::{halftone_ink, halftone_threshold, line_coverage, line_ink, line_widths};
 use tam_shaders::cpu::lib::mapping::{Mapped, Pattern};
 use tam_shaders::cpu::lib::threshold::{
-    ROWS_PER_LEVEL, distribution_entry, equalised, fract_of, threshold_centred, threshold_one_sided,
+    ROWS_PER_LEVEL, distribution_entry, equalised, fract_of, share_above, threshold_centred, threshold_one_sided,
 };
 use tam_shaders::cpu::stroke_map::Sampled;
 use tam_shaders::cpu::{Bindings, Blend, Form, Mapping, Options, PatternKind, fine_tone, six_way, stroke_map};
@@ -23,35 +23,33 @@ pub(crate) const SAMPLED: f64 = 3.0 / 256.0 + 3.0 / 510.0;
 pub(crate) fn rows() -> Vec<Row> {
     let with = |form, blend, pattern| Options { form, blend, pattern, ..Options::default() };
     vec![
-        row(
-            "distribution_entry",
-            Pass::StrokeMap,
-            "vec4f(distribution_entry(i32(a.x), i32(a.y)), 0.0, 0.0, 0.0)",
-            |draw| {
-                let entry =
-                    DVec4::new(draw.pick(OWN, 2 * ROWS_PER_LEVEL + 1) as f64, draw.pick(OWN + 1, 9) as f64, 0.0, 0.0);
-                [entry, DVec4::ZERO, DVec4::ZERO, DVec4::ZERO]
-            },
-        )
-        .twin(|b, case| one(distribution_entry(b.distribution, case[0].x as usize, case[0].y as usize)))
+        row("distribution_entry", Pass::StrokeMap, "vec4f(distribution_entry(i32(a.x), i32(a.y)), 0.0, 0.0)", |draw| {
+            let entry =
+                DVec4::new(draw.pick(OWN, 2 * ROWS_PER_LEVEL + 1) as f64, draw.pick(OWN + 1, 9) as f64, 0.0, 0.0);
+            [entry, DVec4::ZERO, DVec4::ZERO, DVec4::ZERO]
+        })
+        .twin(|b, case| two(distribution_entry(b.distribution, case[0].x as usize, case[0].y as usize)))
         .within(1e-30, 0.0),
         // A place among eight intervals is off by 8 round-offs, and rows rise by less than 8 per unit.
         row("equalised", Pass::StrokeMap, "vec4f(equalised(a.x, a.y).share, 0.0, 0.0, 0.0)", tone_and_level)
             .twin(|b, case| one(equalised(b.material, b.distribution, case[0].x, case[0].y).share))
             .within(16.0 * U, 0.0),
-        // Eight intervals stretch the difference of two entries; where a place falls between two of them, rounding
-        // decides which.
+        // Rates change by up to 8 from entry to entry.
         row("equalised", Pass::StrokeMap, "vec4f(equalised(a.x, a.y).rate, 0.0, 0.0, 0.0)", tone_and_level)
             .twin(|b, case| one(equalised(b.material, b.distribution, case[0].x, case[0].y).rate))
-            .except_where(|b, case| {
-                let x = case[0].x * (b.material.distribution_entries - 1.0);
-                (x - x.round()).abs() < 16.0 * U
-            })
-            .within(64.0 * U, 0.0),
+            .within(128.0 * U, 0.0),
         row("fract_of", Pass::StrokeMap, "vec4f(fract_of(a.x, i32(a.y)), 0.0, 0.0, 0.0)", tone_and_level)
             .twin(|_, case| one(fract_of(case[0].x, case[0].y as usize)))
             .within(2.0 * U, 0.0),
-        // Where the ramp is shortest, 1e-4, half a round-off of the difference counts 5e3 times.
+        row(
+            "share_above",
+            Pass::StrokeMap,
+            "vec4f(share_above(a.x - a.z, 0.5 * max(a.w, 0.01)), 0.0, 0.0, 0.0)",
+            tone_and_level,
+        )
+        .twin(|_, case| one(share_above(case[0].x - case[0].z, 0.5 * case[0].w.max(0.01))))
+        .within(200.0 * U, 0.0),
+        // At the steepest slope a round-off of the difference counts 24 times, in each of three terms.
         row(
             "threshold_centred",
             Pass::StrokeMap,
@@ -59,11 +57,7 @@ pub(crate) fn rows() -> Vec<Row> {
             tone_and_level,
         )
         .twin(|_, case| one(threshold_centred(case[0].x, case[0].z, case[0].w)))
-        .except_where(|_, case| {
-            let ramp = case[0].x.min(1.0 - case[0].x);
-            (ramp - 1e-4).abs() < U
-        })
-        .within(1.2e4 * U, 0.0),
+        .within(100.0 * U, 0.0),
         row(
             "threshold_one_sided",
             Pass::StrokeMap,
