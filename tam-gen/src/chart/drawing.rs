@@ -58,6 +58,11 @@ impl Chart {
     pub fn front(&self) -> Vec<usize> {
         pareto_front(&self.points.iter().map(|point| [point.x, point.y]).collect::<Vec<_>>())
     }
+
+    /// The point of least error; of several, the cheapest.
+    pub fn best(&self) -> Option<&ChartPoint> {
+        self.front().last().map(|i| &self.points[*i])
+    }
 }
 
 /// A chart as files.

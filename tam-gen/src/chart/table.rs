@@ -27,7 +27,7 @@ impl Table {
 /// A figure with four digits that count; nothing where there is none.
 pub fn figure(value: Option<f64>) -> String {
     let Some(value) = value.filter(|value| value.is_finite()) else { return String::new() };
-    let digits = if value == 0.0 { 3 } else { 3 - value.abs().log10().floor() as i32 };
+    let digits = if value == 0.0 { 0 } else { 3 - value.abs().log10().floor() as i32 };
     match digits {
         ..=0 => format!("{value:.0}"),
         1..=7 => format!("{value:.*}", digits as usize),
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn figures_keep_four_digits_and_no_more() {
         let written = [0.0, 1.0, 0.012_345_6, 123.456, 12_345.6, 3.283e-6, -0.5].map(|x| figure(Some(x)));
-        assert_eq!(written, ["0.000", "1.000", "0.01235", "123.5", "12346", "3.283e-6", "-0.5000"]);
+        assert_eq!(written, ["0", "1.000", "0.01235", "123.5", "12346", "3.283e-6", "-0.5000"]);
         assert_eq!((figure(None), figure(Some(f64::NAN))), (String::new(), String::new()));
     }
 }

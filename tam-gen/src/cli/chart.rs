@@ -157,12 +157,9 @@ fn charts(measured: &Measured, several: bool) -> Vec<Chart> {
             Some(ChartPoint { label, group, baseline: false, x: figures.ratio(), y })
         };
         let points: Vec<ChartPoint> = points.iter().filter_map(point).collect();
-        let of = points.iter().min_by(|a, b| a.y.total_cmp(&b.y))?;
-        let title =
-            format!("{name}, {best}: {} {}, at {:.1} times drawing alone", Way::GROUPS[of.group], of.label, of.x);
-        Some(Chart {
+        let mut chart = Chart {
             name: if several { format!("{name}-{file}") } else { (*file).to_owned() },
-            title,
+            title: String::new(),
             subtitle: format!("{} px, {} tones", preset.map.size, preset.map.tones.count()),
             x: Axis {
                 label: "CPU time over drawing the same strokes once (ratio)".into(),
@@ -172,7 +169,11 @@ fn charts(measured: &Measured, several: bool) -> Vec<Chart> {
             y: Axis { label: (*axis).to_owned(), log_from: *log_from, mark: None },
             groups: Way::GROUPS.map(String::from).to_vec(),
             points,
-        })
+        };
+        let of = chart.best()?;
+        chart.title =
+            format!("{name}, {best}: {} {}, at {:.1} times drawing alone", Way::GROUPS[of.group], of.label, of.x);
+        Some(chart)
     };
     SHOWN.iter().filter_map(of).collect()
 }

@@ -67,7 +67,10 @@ pub(super) const CASES: [Case; 5] = [
         method: "face-frame",
         failure: "Light grazes the face: the projection is the light itself, and the face is dark.",
         figure: "inked pixels of a cube with its front face in the plane of the light",
-        literal: Literal::Holds("the projection is as long as it gets: only lights near the normal lose it"),
+        literal: Literal::Holds(
+            "the projection is as long as it gets: only lights near the normal lose it. What is out of range beside the \
+             right angle is a case of its own, below",
+        ),
         hardened: Hardened::Holds,
         holds: Limit::Above(5000.0),
         reason: "The dark face fills three quarters of the 9216 pixels; one that is dropped or no number has none of them.",
