@@ -146,6 +146,11 @@ fn options_out_of_range_are_named_as_they_were_given() {
 fn a_folder_that_cannot_be_written_is_reported() {
     let folder = folder_with("file", "not a folder");
     refuse(&folder, &["generate", "pencil", "-o", "file"], &["file"]);
+    refuse(
+        &folder,
+        &["generate", "pencil", "-o", "mine.ktx2"],
+        &["mine.ktx2 is named like a file", "-o takes the folder"],
+    );
     refuse(&folder, &["generate", "pencil", "-o", "file/below"], &["file/below"]);
     refuse(&folder, &["sheet", "pencil", "-o", "file/below.png"], &["file/below.png"]);
     refuse(&folder, &["schema", "-o", "file/below.json"], &["file/below.json"]);

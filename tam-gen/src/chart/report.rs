@@ -62,16 +62,8 @@ impl Report {
 /// Refuses a folder that cannot take a report, before work is put into one.
 ///
 /// # Errors
-/// It or a folder above is a file, or it has a report already that is not to be replaced.
+/// As [`files::check_folder`], or it has a report already that is not to be replaced.
 pub fn check_folder(folder: &Path, force: bool) -> Result<(), Failure> {
-    if folder.is_file() {
-        return Err(Failure::Output {
-            message: format!("{} is a file", folder.display()),
-            help: Some("-o takes the folder to write to".to_owned()),
-        });
-    }
-    if folder.ancestors().find(|above| above.exists()).is_some_and(Path::is_file) {
-        return Err(Failure::write(folder, &std::io::ErrorKind::NotADirectory.into()));
-    }
+    files::check_folder(folder, "-o")?;
     [TABLE, PAGE].iter().try_for_each(|name| files::check_free(&folder.join(name), force))
 }

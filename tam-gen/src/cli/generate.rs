@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use tam_gen::checks::{Report, check_map};
-use tam_gen::command::{Failure, Output, Progress, interrupt, source};
+use tam_gen::command::{Failure, Output, Progress, files, interrupt, source};
 use tam_gen::export::{ExportOptions, Format, WrittenFile, export};
 use tam_gen::{Job, Map, Preset};
 
@@ -92,6 +92,7 @@ fn formats(selected: &[FormatArg], also: &[Format]) -> Vec<Format> {
 
 pub(super) fn run(args: &GenerateArgs, output: &Output) -> Result<Outcome, Failure> {
     let started = Instant::now();
+    files::check_folder(&args.out, "-o")?;
     let (stem, preset) = source::preset(&args.preset)?;
     let preset = preset.apply(&args.overrides.overrides())?;
     let name = args.name.as_deref().unwrap_or(&stem);

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use notify::{Event, EventKind, RecursiveMode, Watcher};
 use serde_json::json;
-use tam_gen::command::{Failure, Output, interrupt, source};
+use tam_gen::command::{Failure, Output, files, interrupt, source};
 use tam_gen::export::{ExportOptions, Format, Manifest};
 
 use super::Outcome;
@@ -56,6 +56,7 @@ pub(super) fn run(args: &WatchArgs, output: &Output) -> Result<Outcome, Failure>
             "`tam-gen presets new` writes a preset to start from",
         ));
     }
+    files::check_folder(&args.out, "-o")?;
     let name = source::stem(preset)?;
     let cancel = interrupt::catch();
     // The folder is watched, as the file itself goes away where an editor replaces it.

@@ -65,3 +65,28 @@ pub fn check_free(path: &Path, force: bool) -> Result<(), Failure> {
     }
     Ok(())
 }
+
+/// Endings that name a file: a new folder is hardly meant by them.
+const FILE_ENDINGS: [&str; 9] = ["ktx2", "dds", "png", "svg", "json", "toml", "csv", "html", "zip"];
+
+/// Refuses what cannot be a folder to write to, before work is put into its files; `option` is what named it.
+///
+/// # Errors
+/// It or a folder above is a file, or it is not there and is named like a file.
+pub fn check_folder(folder: &Path, option: &str) -> Result<(), Failure> {
+    let refused = |what: &str| Failure::Output {
+        message: format!("{} is {what}", folder.display()),
+        help: Some(format!("{option} takes the folder to write to")),
+    };
+    if folder.is_file() {
+        return Err(refused("a file"));
+    }
+    if folder.ancestors().find(|above| above.exists()).is_some_and(Path::is_file) {
+        return Err(Failure::write(folder, &std::io::ErrorKind::NotADirectory.into()));
+    }
+    let ending = folder.extension().map(|ending| ending.to_ascii_lowercase());
+    if !folder.exists() && ending.is_some_and(|ending| FILE_ENDINGS.iter().any(|of_file| ending == *of_file)) {
+        return Err(refused("named like a file"));
+    }
+    Ok(())
+}

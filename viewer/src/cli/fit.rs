@@ -222,12 +222,7 @@ struct Files<'a> {
 impl<'a> Files<'a> {
     /// Refuses a folder that cannot take them, before work is put into them.
     fn new(dir: &'a Path, map: &str, force: bool) -> Result<Self, Failure> {
-        if dir.is_file() {
-            return Err(Failure::Output {
-                message: format!("{} is a file", dir.display()),
-                help: Some("--out takes the folder to write to".into()),
-            });
-        }
+        files::check_folder(dir, "--out")?;
         let files = Self { dir, name: format!("{map}-fitted"), force };
         for path in [files.report(), files.preset(), files.picture()] {
             files::check_free(&path, force)?;
