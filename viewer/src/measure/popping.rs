@@ -32,8 +32,10 @@ pub struct Popping {
 ///
 /// A pop happens at one moment, which a small step may miss: take the maximum of [`largest_change`] over all steps that
 /// make up the same span of time, 4 of Δt, 8 of Δt / 2 and so on. Steps must be short enough to see a continuous change
-/// as one: a stroke that fades in within one column of the map looks like a pop to steps longer than that. Under a camera
-/// move the bilinear reading adds changes that shrink only once the surface moves by less than a pixel a step. None with fewer than two steps, or without any change.
+/// as one: a stroke that fades in within one column of the map looks like a pop to steps longer than that. Nor may they
+/// be too short: samplers weigh texels in steps of 1/256, so that a pattern that moves jumps by some thousandths however
+/// short the step. Under a camera move the bilinear reading adds changes that shrink only once the surface moves by less
+/// than a pixel a step. None with fewer than two steps, or without any change.
 pub fn popping(steps: &[(f64, f64)]) -> Option<Popping> {
     let slope = log_slope(steps.iter().copied())?;
     let smallest = steps.iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
