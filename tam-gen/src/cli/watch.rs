@@ -10,6 +10,7 @@ use notify::{Event, EventKind, RecursiveMode, Watcher};
 use serde_json::json;
 use tam_gen::command::{Failure, Output, files, interrupt, source};
 use tam_gen::export::{ExportOptions, Format, Manifest};
+use tam_gen::files::folder_of;
 
 use super::Outcome;
 use super::args::OverrideArgs;
@@ -75,13 +76,6 @@ pub(super) fn run(args: &WatchArgs, output: &Output) -> Result<Outcome, Failure>
 
 fn cannot_watch(preset: &Path, error: &notify::Error) -> Failure {
     Failure::usage(format!("cannot watch {}: {error}", preset.display()), "`tam-gen generate` does it once")
-}
-
-fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    }
 }
 
 /// Makes the map anew. What is wrong with the preset is reported, and the watching goes on; only a folder that cannot
