@@ -24,7 +24,7 @@ pub mod six_way;
 pub mod stripes;
 pub mod stroke_map;
 
-pub use image::{MapImage, MapLevel};
+pub use image::{MapImage, MapLevel, Sampling};
 pub use lib::octahedral;
 pub use options::{Blend, DebugView, Follow, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;

@@ -324,7 +324,7 @@ fn noise_map(seed: u64, columns: usize) -> MapImage {
         let layer = |layer| (0..(size * size) as usize).map(|i| texel(layer, i)).collect();
         MapLevel { size, layers: (0..columns.max(2)).map(layer).collect() }
     };
-    MapImage { levels: [16, 8, 4].map(level).to_vec() }
+    MapImage { levels: [16, 8, 4].map(level).to_vec(), ..MapImage::default() }
 }
 
 /// Rows for three levels that increase from 0 to 1, with rates of any kind.

@@ -1,7 +1,7 @@
 //! Maps as textures, packed as the passes sample them.
 
 use tam_gen::{Grid, StrokeMap};
-use tam_shaders::cpu::{MapImage, MapLevel};
+use tam_shaders::cpu::{MapImage, MapLevel, Sampling};
 
 /// Layer k holds column k and column k + 1 in its first two channels, column 0 being white paper.
 pub fn column_pairs(grid: &Grid) -> MapImage {
@@ -13,7 +13,7 @@ pub fn column_pairs(grid: &Grid) -> MapImage {
         };
         MapLevel { size: level.size, layers: (0..grid.columns()).map(layer).collect() }
     });
-    MapImage { levels: levels.collect() }
+    MapImage { levels: levels.collect(), sampling: Sampling::Exact }
 }
 
 /// Six columns, named by index, in the colours of two layers; missing ones are paper.
@@ -25,7 +25,7 @@ pub fn six_columns(grid: &Grid, columns: &[usize]) -> MapImage {
             |first: usize| (0..texels).map(|i| [ink(first, i), ink(first + 1, i), ink(first + 2, i), 255]).collect();
         MapLevel { size: level.size, layers: vec![layer(0), layer(3)] }
     });
-    MapImage { levels: levels.collect() }
+    MapImage { levels: levels.collect(), sampling: Sampling::Exact }
 }
 
 /// One layer: thresholds, and their change from texel to texel.
@@ -35,5 +35,5 @@ pub fn thresholds(stroke_map: &StrokeMap) -> MapImage {
         let layer = level.threshold.iter().zip(steps).map(|(threshold, step)| [*threshold, step, 0, 255]).collect();
         MapLevel { size: level.size, layers: vec![layer] }
     });
-    MapImage { levels: levels.collect() }
+    MapImage { levels: levels.collect(), sampling: Sampling::Exact }
 }
