@@ -4,13 +4,13 @@
 //!include lib/mesh_types.wgsl
 //!include lib/edges.wgsl
 
-@group(2) @binding(2) var<storage, read_write> listed: array<u32>;
+@group(2) @binding(1) var<storage, read_write> listed: array<u32>;
 // Of each block, a bit for each edge that is a line.
-@group(2) @binding(3) var<storage, read_write> marks: array<u32>;
+@group(2) @binding(2) var<storage, read_write> marks: array<u32>;
 // Of each block, the lines before it.
-@group(2) @binding(4) var<storage, read_write> before: array<u32>;
+@group(2) @binding(3) var<storage, read_write> before: array<u32>;
 // Of the draw: corners of a quad, quads, the first corner and the first quad.
-@group(2) @binding(5) var<storage, read_write> arguments: array<u32, 4>;
+@group(2) @binding(4) var<storage, read_write> arguments: array<u32, 4>;
 
 const BLOCK_EDGES: u32 = 32u;
 const BLOCK_LANES: u32 = 64u;

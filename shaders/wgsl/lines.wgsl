@@ -5,7 +5,7 @@
 //!include lib/edges.wgsl
 
 // The edges that are lines: see line_edges.wgsl. Not read where every edge is one.
-@group(2) @binding(2) var<storage, read> listed: array<u32>;
+@group(2) @binding(1) var<storage, read> listed: array<u32>;
 
 struct LineOut {
     @builtin(position) clip: vec4f,

@@ -1,13 +1,34 @@
 //! A frame: the ordered list of its passes.
 
-use crate::gpu::{GpuMap, GpuMesh, Target};
+use crate::gpu::{GpuMap, GpuMesh, Target, TargetViews};
+use crate::object::Object;
 use crate::params::RenderParams;
-use crate::passes::{Faces, Lines, Shading};
+use crate::passes::{Faces, Lines};
 use crate::renderer::{RenderError, Renderer};
 use crate::scene::Scene;
 use crate::timer::FrameTimer;
 
 impl Renderer {
+    /// Records a frame into a caller's encoder and views: objects in a scene, whose own mesh, ink and materials are not
+    /// looked at. It neither submits nor waits, and touches no error callback.
+    ///
+    /// `maps` are those that materials name by number. Records of the frame are written through the queue: submit the
+    /// encoder before the next frame is recorded, or that one's views and materials count for both.
+    ///
+    /// # Errors
+    /// [`RenderError`]: what an object lacks, a map that its method cannot draw with, or a format that takes no such
+    /// picture; then nothing was recorded.
+    pub fn record(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene,
+        objects: &[Object<'_>],
+        maps: &[&GpuMap],
+        into: &TargetViews<'_>,
+    ) -> Result<(), RenderError> {
+        self.record_timed(encoder, scene, objects, maps, into, None)
+    }
+
     /// Draws a scene into a target; [`Target::read`] brings the pixels back.
     ///
     /// `maps` are those that materials name by number.
@@ -38,74 +59,64 @@ impl Renderer {
         target: &Target,
         timer: Option<&FrameTimer>,
     ) -> Result<(), RenderError> {
-        let prepared = self.prepare(scene, params, mesh, maps, target.size)?;
-        let Self { gpu, layouts, shading, lines, faces, scene_group, .. } = self;
-        // Back faces of a closed mesh are never seen from outside.
-        let culled = mesh.closed && scene.world_from_mesh.determinant() > 0.0;
-        let pipeline = shading.pipeline(gpu, layouts, &prepared.variant, target.format, target.samples, culled);
-        let has_lines = Lines::drawn(params).next().is_some();
-        let line_pipeline = has_lines.then(|| lines.pipeline(gpu, target.format, target.samples).clone());
+        self.render_objects(scene, &[Object::of(scene, params, mesh)], maps, target, timer)
+    }
 
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let with_frames = prepared.variant.frames;
-        let due = Faces::due(&prepared.scene, mesh, params.form, with_frames);
-        let computes = !due.is_none() || params.silhouettes.is_some();
+    /// Draws many objects into a target.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_objects(
+        &mut self,
+        scene: &Scene,
+        objects: &[Object<'_>],
+        maps: &[&GpuMap],
+        target: &Target,
+        timer: Option<&FrameTimer>,
+    ) -> Result<(), RenderError> {
+        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.record_timed(&mut encoder, scene, objects, maps, &target.views(), timer)?;
+        self.gpu.queue.submit([encoder.finish()]);
+        self.gpu.check()?;
+        Ok(())
+    }
+
+    fn record_timed(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &Scene,
+        objects: &[Object<'_>],
+        maps: &[&GpuMap],
+        into: &TargetViews<'_>,
+        timer: Option<&FrameTimer>,
+    ) -> Result<(), RenderError> {
+        let draws = self.prepare(scene, objects, maps, into)?;
+        let group = self.uniforms.group();
+        let computes = draws.iter().any(|draw| !Faces::due(draw).is_none() || Lines::lists(draw));
         if computes {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
                 label: Some("before the frame"),
                 timestamp_writes: timer.and_then(FrameTimer::begins),
             });
-            faces.record(&mut pass, scene_group, mesh, &due);
-            lines.list(&mut pass, scene_group, mesh, params);
+            self.faces.record(&mut pass, group, &draws);
+            self.lines.list(&mut pass, group, &draws);
         }
         {
-            let colour = [Some(colour_attachment(scene, target))];
+            let colour = [Some(into.colour_attachment(scene))];
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("frame"),
                 color_attachments: &colour,
-                depth_stencil_attachment: Some(depth_attachment(target)),
+                depth_stencil_attachment: Some(into.depth_attachment()),
                 timestamp_writes: timer.and_then(|timer| timer.ends(computes)),
                 occlusion_query_set: None,
                 multiview_mask: None,
             });
-            let materials =
-                prepared.maps.iter().enumerate().map(|(part, map)| (Self::material_offset(part), &map.group));
-            let mapping = params.needed_mapping().unwrap_or(params.mapping);
-            Shading::record(&mut pass, pipeline, scene_group, mesh, mapping, &prepared.variant, materials);
-            if let Some(line_pipeline) = line_pipeline {
-                for kind in Lines::drawn(params) {
-                    Lines::record(&mut pass, &line_pipeline, scene_group, mesh, kind);
-                }
-            }
+            self.shading.record(&mut pass, group, &draws);
+            self.lines.record(&mut pass, group, into.formats, &draws);
         }
         if let Some(timer) = timer {
-            timer.resolve(&mut encoder);
+            timer.resolve(encoder);
         }
-        gpu.queue.submit([encoder.finish()]);
-        gpu.check()?;
         Ok(())
-    }
-}
-
-fn colour_attachment<'a>(scene: &Scene, target: &'a Target) -> wgpu::RenderPassColorAttachment<'a> {
-    let [r, g, b] = scene.paper.map(f64::from);
-    let clear = if scene.transparent { wgpu::Color::TRANSPARENT } else { wgpu::Color { r, g, b, a: 1.0 } };
-    let (view, resolve_target, store) = match &target.multisampled {
-        Some(samples) => (samples, Some(&target.colour), wgpu::StoreOp::Discard),
-        None => (&target.colour, None, wgpu::StoreOp::Store),
-    };
-    wgpu::RenderPassColorAttachment {
-        view,
-        depth_slice: None,
-        resolve_target,
-        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store },
-    }
-}
-
-fn depth_attachment(target: &Target) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-    wgpu::RenderPassDepthStencilAttachment {
-        view: &target.depth,
-        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
-        stencil_ops: None,
     }
 }

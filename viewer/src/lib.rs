@@ -22,6 +22,7 @@ pub mod stability;
 
 mod frame;
 pub mod gpu;
+mod object;
 mod passes;
 mod renderer;
 mod timer;
@@ -32,7 +33,8 @@ pub mod turntable;
 #[cfg(feature = "app")]
 pub mod app;
 
+pub use object::Object;
 pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
-pub use renderer::{MAX_PARTS, RenderError, Renderer};
+pub use renderer::{RenderError, Renderer};
 pub use scene::{Camera, Light, LightKind, Lights, Material, Scene};
 pub use timer::FrameTimer;

@@ -29,8 +29,8 @@ struct Edge {
 @group(1) @binding(0) var<storage, read> vertices: array<Vertex>;
 // Face normal in xyz, in the space of the frames; w is 1 where the face has an area, else 0.
 @group(1) @binding(4) var<storage, read> face_normals: array<vec4f>;
-@group(2) @binding(0) var<uniform> style: LineStyle;
-@group(2) @binding(1) var<storage, read> edges: array<Edge>;
+@group(0) @binding(2) var<uniform> style: LineStyle;
+@group(2) @binding(0) var<storage, read> edges: array<Edge>;
 
 fn faces_camera(face: u32, p_world: vec3f) -> bool {
     return dot(face_normals[face].xyz, scene.camera_world - p_world) > 0.0;

@@ -38,10 +38,10 @@ struct Material {
     tones: array<vec4f, 17>,
 }
 
-@group(2) @binding(0) var<uniform> material: Material;
-@group(2) @binding(1) var map: texture_2d_array<f32>;
-@group(2) @binding(2) var map_sampler: sampler;
-@group(2) @binding(3) var distribution: texture_2d<f32>;
+@group(0) @binding(1) var<uniform> material: Material;
+@group(2) @binding(0) var map: texture_2d_array<f32>;
+@group(2) @binding(1) var map_sampler: sampler;
+@group(2) @binding(2) var distribution: texture_2d<f32>;
 
 // Tone of a column; 0 is the implicit white.
 fn column_tone(k: u32) -> f32 {

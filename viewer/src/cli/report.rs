@@ -34,9 +34,11 @@ pub(super) fn render(error: RenderError) -> Failure {
         RenderError::Gpu(error) => gpu(error),
         RenderError::Map(error) => map(error),
         RenderError::NoUv => work("mesh", &error, "--mapping triplanar and --mapping frames need none"),
-        RenderError::NoMap | RenderError::NoSurface(_) | RenderError::Placement | RenderError::Camera(_) => {
-            work("scene", &error, None)
-        }
+        RenderError::NoMap
+        | RenderError::NoSurface(_)
+        | RenderError::Placement
+        | RenderError::Camera(_)
+        | RenderError::Format { .. } => work("scene", &error, None),
     }
 }
 

@@ -165,30 +165,39 @@ impl Gpu {
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|error| GpuError::Device { adapter: summary.to_string(), cause: error.to_string() })?;
-        Ok(Self::from_device(device, queue, summary, options))
-    }
-
-    fn from_device(device: wgpu::Device, queue: wgpu::Queue, adapter: AdapterSummary, options: &GpuOptions) -> Self {
-        let failure = Arc::new(Mutex::new(None));
-        let lost = Arc::clone(&failure);
+        let gpu = Self::shared(&device, &queue, &adapter.get_info(), options);
+        let lost = Arc::clone(&gpu.failure);
         device.set_device_lost_callback(move |reason, message| {
             // A device that the program itself drops is not lost.
             if reason != wgpu::DeviceLostReason::Destroyed {
                 note(&lost, Failure::Lost(message));
             }
         });
-        let failed = Arc::clone(&failure);
+        let failed = Arc::clone(&gpu.failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&failed, Failure::Error(error.to_string()))));
+        Ok(gpu)
+    }
+
+    /// Somebody else's device, whatever it was opened with: WebGPU's default limits are enough. Its callbacks stay as
+    /// they are, so that what goes wrong on it is told to its owner, and [`Gpu::check`] knows nothing of it.
+    ///
+    /// Of `options` only `flat_face` counts.
+    pub fn shared(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        adapter: &wgpu::AdapterInfo,
+        options: &GpuOptions,
+    ) -> Self {
         let features = device.features();
         Self {
             capabilities: Capabilities {
                 primitive_index: features.contains(wgpu::Features::PRIMITIVE_INDEX) && !options.flat_face,
             },
             has_timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
-            device,
-            queue,
-            adapter,
-            failure,
+            device: device.clone(),
+            queue: queue.clone(),
+            adapter: AdapterSummary::of(adapter),
+            failure: Arc::default(),
         }
     }
 
@@ -199,16 +208,20 @@ impl Gpu {
         adapters.iter().map(|adapter| AdapterSummary::of(&adapter.get_info())).collect()
     }
 
-    /// What went wrong on the device since it was opened.
+    /// What went wrong on the device since this was last asked. A device that is lost stays so; other errors are told
+    /// once, as what is drawn next may well succeed.
     ///
     /// # Errors
-    /// [`GpuError::Lost`] or [`GpuError::Failed`], once anything did.
+    /// [`GpuError::Lost`] or [`GpuError::Failed`], if anything did.
     pub fn check(&self) -> Result<(), GpuError> {
-        let failure = self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        match &*failure {
+        let mut failure = self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        match failure.take() {
             None => Ok(()),
-            Some(Failure::Lost(cause)) => Err(GpuError::Lost(cause.clone())),
-            Some(Failure::Error(cause)) => Err(GpuError::Failed(cause.clone())),
+            Some(Failure::Lost(cause)) => {
+                *failure = Some(Failure::Lost(cause.clone()));
+                Err(GpuError::Lost(cause))
+            }
+            Some(Failure::Error(cause)) => Err(GpuError::Failed(cause)),
         }
     }
 
@@ -237,10 +250,10 @@ impl Gpu {
     }
 }
 
-/// The first failure is the cause; those after it follow from it.
+/// The first failure is the cause; those after it follow from it. A device that is lost is lost, whatever came before.
 fn note(place: &Mutex<Option<Failure>>, failure: Failure) {
     let mut place = place.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    if place.is_none() {
+    if place.is_none() || matches!(failure, Failure::Lost(_)) {
         *place = Some(failure);
     }
 }

@@ -1,12 +1,13 @@
-//! Which buffers and textures the passes bind: group 0 the scene, 1 the mesh, 2 material and map, 3 the surface.
+//! Which buffers and textures the passes bind: group 0 the frame's records (view and placement, material, line style), 1 the
+//! mesh where it stands, 2 the map or the lines, 3 the surface.
 
 use super::Gpu;
 
 /// The bind group layouts of all passes.
 pub(crate) struct Layouts {
-    pub scene: wgpu::BindGroupLayout,
+    pub frame: wgpu::BindGroupLayout,
     pub mesh: wgpu::BindGroupLayout,
-    pub material: wgpu::BindGroupLayout,
+    pub map: wgpu::BindGroupLayout,
     pub surface: wgpu::BindGroupLayout,
     pub face_geometry: wgpu::BindGroupLayout,
     pub face_frames: wgpu::BindGroupLayout,
@@ -48,7 +49,7 @@ impl Layouts {
             count: None,
         };
         let sampler = wgpu::BindGroupLayoutEntry {
-            binding: 2,
+            binding: 1,
             visibility: FRAGMENT,
             ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
             count: None,
@@ -56,12 +57,9 @@ impl Layouts {
         let maps = wgpu::TextureViewDimension::D2Array;
         let tables = wgpu::TextureViewDimension::D2;
         Self {
-            scene: layout("scene", &[uniform(0, BOTH | COMPUTE, false)]),
+            frame: layout("frame", &[uniform(0, BOTH | COMPUTE), uniform(1, BOTH), uniform(2, BOTH | COMPUTE)]),
             mesh: layout("mesh", &mesh),
-            material: layout(
-                "material",
-                &[uniform(0, BOTH, true), texture(1, maps, true), sampler, texture(3, tables, false)],
-            ),
+            map: layout("map", &[texture(0, maps, true), sampler, texture(2, tables, false)]),
             surface: layout(
                 "surface",
                 &[
@@ -75,11 +73,8 @@ impl Layouts {
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),
             face_frames: layout("face_frames", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(5)]),
             line_mesh: layout("line_mesh", &[storage(0, VERTEX | COMPUTE), storage(4, VERTEX | COMPUTE)]),
-            line_edges: layout(
-                "line_edges",
-                &[uniform(0, COMPUTE, false), storage(1, COMPUTE), written(2), written(3), written(4), written(5)],
-            ),
-            lines: layout("lines", &[uniform(0, BOTH, false), storage(1, VERTEX), storage(2, VERTEX)]),
+            line_edges: layout("line_edges", &[storage(0, COMPUTE), written(1), written(2), written(3), written(4)]),
+            lines: layout("lines", &[storage(0, VERTEX), storage(1, VERTEX)]),
         }
     }
 }
@@ -97,8 +92,12 @@ fn written(binding: u32) -> wgpu::BindGroupLayoutEntry {
     buffer(binding, COMPUTE, wgpu::BufferBindingType::Storage { read_only: false })
 }
 
-fn uniform(binding: u32, visibility: wgpu::ShaderStages, has_dynamic_offset: bool) -> wgpu::BindGroupLayoutEntry {
-    let ty =
-        wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset, min_binding_size: None };
+/// A record, bound with an offset.
+fn uniform(binding: u32, visibility: wgpu::ShaderStages) -> wgpu::BindGroupLayoutEntry {
+    let ty = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Uniform,
+        has_dynamic_offset: true,
+        min_binding_size: None,
+    };
     wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None }
 }

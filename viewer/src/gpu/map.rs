@@ -91,19 +91,13 @@ impl GpuMap {
     }
 
     /// Its textures of a kind, uploaded at the first call.
-    pub(crate) fn textures(
-        &self,
-        gpu: &Gpu,
-        layouts: &Layouts,
-        materials: &wgpu::Buffer,
-        kind: MapKind,
-    ) -> Result<Arc<MapTextures>, MapError> {
+    pub(crate) fn textures(&self, gpu: &Gpu, layouts: &Layouts, kind: MapKind) -> Result<Arc<MapTextures>, MapError> {
         let mut uploaded = self.lock();
         if let Some((_, textures)) = uploaded.iter().find(|(other, _)| *other == kind) {
             return Ok(Arc::clone(textures));
         }
         let layers = Layers::of(&self.source, kind)?;
-        let textures = Arc::new(layers.upload(gpu, layouts, materials, &self.source.name)?);
+        let textures = Arc::new(layers.upload(gpu, layouts, &self.source.name)?);
         uploaded.push((kind, Arc::clone(&textures)));
         Ok(textures)
     }
@@ -196,13 +190,7 @@ impl Layers {
         }
     }
 
-    fn upload(
-        mut self,
-        gpu: &Gpu,
-        layouts: &Layouts,
-        materials: &wgpu::Buffer,
-        name: &str,
-    ) -> Result<MapTextures, MapError> {
+    fn upload(mut self, gpu: &Gpu, layouts: &Layouts, name: &str) -> Result<MapTextures, MapError> {
         let limits = gpu.device.limits();
         // OpenGL takes an array of six layers, or a multiple, for cube maps.
         let padding = u32::from(gpu.adapter.backend == "gl" && self.layer_count.is_multiple_of(6));
@@ -278,7 +266,7 @@ impl Layers {
             dimension: Some(wgpu::TextureViewDimension::D2Array),
             ..wgpu::TextureViewDescriptor::default()
         });
-        let group = material_group(gpu, layouts, materials, &view, &distribution);
+        let group = map_group(gpu, layouts, &view, &distribution);
         Ok(MapTextures {
             group,
             size_px,
@@ -290,13 +278,7 @@ impl Layers {
     }
 }
 
-fn material_group(
-    gpu: &Gpu,
-    layouts: &Layouts,
-    materials: &wgpu::Buffer,
-    map: &wgpu::TextureView,
-    distribution: &wgpu::Texture,
-) -> wgpu::BindGroup {
+fn map_group(gpu: &Gpu, layouts: &Layouts, map: &wgpu::TextureView, distribution: &wgpu::Texture) -> wgpu::BindGroup {
     let linear = wgpu::FilterMode::Linear;
     let repeat = wgpu::AddressMode::Repeat;
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
@@ -308,24 +290,14 @@ fn material_group(
         mipmap_filter: wgpu::MipmapFilterMode::Linear,
         ..wgpu::SamplerDescriptor::default()
     });
-    let uniform = wgpu::BufferBinding {
-        buffer: materials,
-        offset: 0,
-        size: std::num::NonZeroU64::new(size_of::<tam_shaders::types::Material>() as u64),
-    };
+    let table = distribution.create_view(&wgpu::TextureViewDescriptor::default());
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("material"),
-        layout: &layouts.material,
+        label: Some("map"),
+        layout: &layouts.map,
         entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(uniform) },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(map) },
-            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
-            wgpu::BindGroupEntry {
-                binding: 3,
-                resource: wgpu::BindingResource::TextureView(
-                    &distribution.create_view(&wgpu::TextureViewDescriptor::default()),
-                ),
-            },
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(map) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&table) },
         ],
     })
 }

@@ -4,16 +4,20 @@ mod context;
 mod layouts;
 mod map;
 mod mesh;
+mod placed;
 mod surface;
 mod target;
+mod uniforms;
+mod views;
 
 pub use context::{AdapterSummary, Gpu, GpuError, GpuOptions};
 pub use map::{GpuMap, MapError, MapKind};
 pub use mesh::GpuMesh;
 pub use target::{Picture, PixelFormat, Target};
+pub use views::{TargetFormats, TargetViews};
 
 pub(crate) use layouts::Layouts;
 pub(crate) use map::MapTextures;
-pub(crate) use mesh::{FramesKey, GeometryKey};
+pub(crate) use placed::{FramesKey, GeometryKey, PlacedMesh};
 pub(crate) use surface::SurfaceBuffers;
-pub(crate) use target::DEPTH_FORMAT;
+pub(crate) use uniforms::{Offsets, Uniforms};

@@ -1,5 +1,7 @@
 //! A surface's patches and stripes on the GPU: bind group 3.
 
+use std::sync::{Mutex, PoisonError};
+
 use glam::DMat4;
 use tam_shaders::types::{self, StripePhases};
 use wgpu::util::DeviceExt;
@@ -18,13 +20,23 @@ pub(crate) struct SurfaceBuffers {
 }
 
 struct PatchBuffers {
-    group: wgpu::BindGroup,
+    /// Starts and entries.
+    lists: [wgpu::Buffer; 2],
     tiles_per_unit: f64,
     /// Whether rows of stripes are known on them.
     has_rows: bool,
-    /// Those that turn with the light, and the texture that says how.
-    turning: Option<(Turns, wgpu::Texture)>,
+    /// Those that turn with the light.
+    turning: Option<Turns>,
+    /// The first object's; where patches turn, each object has its own.
+    tables: Mutex<Vec<TurnTable>>,
     bytes: u64,
+}
+
+/// How patches turn where an object stands, and the group that has it.
+#[derive(Clone)]
+struct TurnTable {
+    turns: wgpu::Texture,
+    group: wgpu::BindGroup,
 }
 
 /// Texels in a row of the table of turns.
@@ -50,7 +62,7 @@ impl SurfaceBuffers {
             graph.zip(patches).map(|(graph, patches)| PatchBuffers::new(gpu, layouts, graph, patches, &stripes))
         };
         Ok(Self {
-            empty: group(gpu, layouts, &[0; 4], &[0; 16], &turn_table(gpu, 1), &stripes),
+            empty: group(gpu, layouts, &lists(gpu, &[0; 4], &[0; 16]), &turn_table(gpu, 1), &stripes),
             patches: upload(surface.and_then(|surface| surface.patches.as_ref())).transpose()?,
             lapped: upload(surface.and_then(|surface| surface.lapped.as_ref())).transpose()?,
             stripes,
@@ -65,9 +77,10 @@ impl SurfaceBuffers {
         }
     }
 
-    /// The group that a mapping draws with; the stripes are in each.
-    pub(crate) fn group(&self, mapping: Mapping) -> &wgpu::BindGroup {
-        self.of(mapping).map_or(&self.empty, |patches| &patches.group)
+    /// The group with which a mapping draws the `nth` object of a mesh; the stripes are in each.
+    pub(crate) fn group(&self, gpu: &Gpu, layouts: &Layouts, mapping: Mapping, nth: usize) -> wgpu::BindGroup {
+        let patches = self.of(mapping);
+        patches.map_or_else(|| self.empty.clone(), |patches| patches.table(gpu, layouts, &self.stripes, nth).group)
     }
 
     /// Repeats of the tile per unit for which a mapping's patches were made; `None` where there are none.
@@ -80,10 +93,20 @@ impl SurfaceBuffers {
         self.of(mapping).map(|patches| if patches.turning.is_some() { Follow::Light } else { Follow::Surface })
     }
 
-    /// Turns the patches that follow the light; `staging` is only memory.
-    pub(crate) fn turn(&self, gpu: &Gpu, scene: &types::Scene, world_from_mesh: DMat4, staging: &mut Vec<[f32; 4]>) {
-        let Some((turns, table)) = self.patches.as_ref().and_then(|patches| patches.turning.as_ref()) else { return };
+    /// Turns the patches that follow the light where the `nth` object stands; `staging` is only memory.
+    pub(crate) fn turn(
+        &self,
+        gpu: &Gpu,
+        layouts: &Layouts,
+        scene: &types::Scene,
+        world_from_mesh: DMat4,
+        nth: usize,
+        staging: &mut Vec<[f32; 4]>,
+    ) {
+        let Some(patches) = &self.patches else { return };
+        let Some(turns) = &patches.turning else { return };
         turns.under(&scene.into(), world_from_mesh, staging);
+        let TurnTable { turns: table, .. } = patches.table(gpu, layouts, &self.stripes, nth);
         let size = table.size();
         staging.resize((size.width * size.height) as usize, [0.0; 4]);
         let rows = wgpu::TexelCopyBufferLayout {
@@ -134,15 +157,30 @@ impl PatchBuffers {
     ) -> Result<Self, GpuError> {
         gpu.fits("the patches of the mesh's faces", patches.bytes())?;
         let (starts, entries) = (patches.packed_starts(), patches.packed());
+        let lists = lists(gpu, bytemuck::cast_slice(&starts), bytemuck::cast_slice(&entries));
         let turning = (patches.follow == Follow::Light).then(|| Turns::new(graph, patches));
-        let table = turn_table(gpu, turning.as_ref().map_or(1, Turns::len));
-        Ok(Self {
-            group: group(gpu, layouts, bytemuck::cast_slice(&starts), bytemuck::cast_slice(&entries), &table, stripes),
-            turning: turning.map(|turns| (turns, table)),
+        let this = Self {
+            lists,
+            turning,
+            tables: Mutex::default(),
             tiles_per_unit: patches.tiles_per_unit,
             has_rows: !patches.rows.is_empty(),
             bytes: patches.bytes(),
-        })
+        };
+        this.table(gpu, layouts, stripes, 0);
+        Ok(this)
+    }
+
+    /// The table of the `nth` object; patches that lie still have one for all.
+    fn table(&self, gpu: &Gpu, layouts: &Layouts, stripes: &StripeBuffers, nth: usize) -> TurnTable {
+        let nth = if self.turning.is_some() { nth } else { 0 };
+        let mut tables = self.tables.lock().unwrap_or_else(PoisonError::into_inner);
+        while tables.len() <= nth {
+            let turns = turn_table(gpu, self.turning.as_ref().map_or(1, Turns::len));
+            let group = group(gpu, layouts, &self.lists, &turns, stripes);
+            tables.push(TurnTable { turns, group });
+        }
+        tables[nth].clone()
     }
 }
 
@@ -181,16 +219,18 @@ fn turn_table(gpu: &Gpu, turns: usize) -> wgpu::Texture {
     })
 }
 
+fn lists(gpu: &Gpu, starts: &[u8], entries: &[u8]) -> [wgpu::Buffer; 2] {
+    [storage(gpu, "patch starts", starts), storage(gpu, "patch entries", entries)]
+}
+
 fn group(
     gpu: &Gpu,
     layouts: &Layouts,
-    starts: &[u8],
-    entries: &[u8],
+    lists: &[wgpu::Buffer; 2],
     turns: &wgpu::Texture,
     stripes: &StripeBuffers,
 ) -> wgpu::BindGroup {
-    let patches = [storage(gpu, "patch starts", starts), storage(gpu, "patch entries", entries)];
-    let buffers = [(0, &patches[0]), (1, &patches[1]), (4, &stripes.along), (5, &stripes.across)];
+    let buffers = [(0, &lists[0]), (1, &lists[1]), (4, &stripes.along), (5, &stripes.across)];
     let turns = turns.create_view(&wgpu::TextureViewDescriptor::default());
     let mut entries: Vec<wgpu::BindGroupEntry<'_>> = buffers
         .iter()

@@ -1,5 +1,6 @@
-//! What is drawn into, and reading it back.
+//! What pictures are drawn into without a window, and reading them back.
 
+use super::views::{TargetFormats, TargetViews};
 use super::{Gpu, GpuError};
 
 /// Pixels of a target.
@@ -31,7 +32,7 @@ impl PixelFormat {
     }
 }
 
-pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// A picture being drawn: colour, depth, and the buffer through which it comes back.
 pub struct Target {
@@ -123,6 +124,22 @@ impl Target {
     /// The finished pixels, for a window to show.
     pub fn view(&self) -> &wgpu::TextureView {
         &self.colour
+    }
+
+    /// What a frame is drawn into.
+    pub fn views(&self) -> TargetViews<'_> {
+        let (colour, resolve) = match &self.multisampled {
+            Some(samples) => (samples, Some(&self.colour)),
+            None => (&self.colour, None),
+        };
+        TargetViews {
+            colour,
+            resolve,
+            depth: &self.depth,
+            size_px: self.size,
+            formats: TargetFormats { colour: self.format.texture_format(), depth: DEPTH_FORMAT, samples: self.samples },
+            clears: true,
+        }
     }
 
     /// Brings the finished pixels back. Waits for the device.

@@ -1,10 +1,13 @@
 //! Normals, planes and frames of the faces: computed when mesh, placement or light change, and only then.
 
-use tam_shaders::{Pass, types};
+use std::sync::PoisonError;
+
+use tam_shaders::Pass;
 
 use super::shading::{form_constant, module};
-use crate::gpu::{FramesKey, GeometryKey, Gpu, GpuMesh, Layouts};
+use crate::gpu::{FramesKey, GeometryKey, Gpu, Layouts, Offsets};
 use crate::params::Form;
+use crate::renderer::Draw;
 
 /// Groups of invocations in a row of a dispatch.
 const GROUPS_PER_ROW: u32 = 32_768;
@@ -27,7 +30,7 @@ impl Faces {
             let module = module(gpu, pass);
             let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some(pass.name()),
-                bind_group_layouts: &[Some(&layouts.scene), Some(group)],
+                bind_group_layouts: &[Some(&layouts.frame), Some(group)],
                 immediate_size: 0,
             });
             [Form::Hardened, Form::Literal].map(|form| {
@@ -51,45 +54,51 @@ impl Faces {
     }
 
     /// What is out of date and read by a method; the frames only where they are.
-    pub(crate) fn due(scene: &types::Scene, mesh: &GpuMesh, form: Form, frames: bool) -> Due {
+    pub(crate) fn due(draw: &Draw<'_>) -> Due {
+        let (scene, _) = &draw.scene;
         let geometry = GeometryKey {
-            version: mesh.version,
-            literal: form == Form::Literal,
+            version: draw.mesh.version,
+            literal: draw.form == Form::Literal,
             world_from_mesh: scene.world_from_mesh,
         };
         let key = FramesKey { geometry, lights: scene.lights, light_count: scene.light_count };
-        let computed = mesh.computed.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let computed = draw.placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
         Due {
-            form,
             geometry: (computed.geometry != Some(geometry)).then_some(geometry),
-            frames: (frames && computed.frames != Some(key)).then_some(key),
+            frames: (draw.variant.frames && computed.frames != Some(key)).then_some(key),
         }
     }
 
     /// Records what is due.
-    pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, scene: &wgpu::BindGroup, mesh: &GpuMesh, due: &Due) {
-        let form = form_constant(due.form) as usize;
-        let mut computed = mesh.computed.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        pass.set_bind_group(0, scene, &[]);
-        let [columns, rows] = group_rows(mesh.triangle_count.div_ceil(64));
-        if due.geometry.is_some() {
-            pass.set_pipeline(&self.geometry[form]);
-            pass.set_bind_group(1, &mesh.groups.geometry, &[]);
-            pass.dispatch_workgroups(columns, rows, 1);
-            computed.geometry = due.geometry;
-        }
-        if due.frames.is_some() {
-            pass.set_pipeline(&self.frames[form]);
-            pass.set_bind_group(1, &mesh.groups.frames, &[]);
-            pass.dispatch_workgroups(columns, rows, 1);
-            computed.frames = due.frames;
+    pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, frame: &wgpu::BindGroup, draws: &[Draw<'_>]) {
+        for draw in draws {
+            let due = Self::due(draw);
+            if due.is_none() {
+                continue;
+            }
+            let form = form_constant(draw.form) as usize;
+            let groups = &draw.placed.groups;
+            let mut computed = draw.placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
+            pass.set_bind_group(0, frame, &Offsets { scene: draw.scene.1, ..Offsets::default() }.of_group());
+            let [columns, rows] = group_rows(draw.mesh.triangle_count().div_ceil(64));
+            if due.geometry.is_some() {
+                pass.set_pipeline(&self.geometry[form]);
+                pass.set_bind_group(1, &groups.geometry, &[]);
+                pass.dispatch_workgroups(columns, rows, 1);
+                computed.geometry = due.geometry;
+            }
+            if due.frames.is_some() {
+                pass.set_pipeline(&self.frames[form]);
+                pass.set_bind_group(1, &groups.frames, &[]);
+                pass.dispatch_workgroups(columns, rows, 1);
+                computed.frames = due.frames;
+            }
         }
     }
 }
 
 /// What of the faces is to be computed anew.
 pub(crate) struct Due {
-    form: Form,
     geometry: Option<GeometryKey>,
     frames: Option<FramesKey>,
 }

@@ -8,46 +8,54 @@ use tam_shaders::{Pass, types};
 
 use super::faces::group_rows;
 use super::shading::{depth_state, module};
-use crate::gpu::{Gpu, GpuMesh, Layouts, PixelFormat};
+use crate::gpu::{Gpu, Layouts, Offsets, TargetFormats};
 use crate::params::{RenderParams, Silhouettes};
+use crate::renderer::Draw;
 
 /// Lines over the strokes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineKind {
-    Silhouettes = 0,
-    Wireframe = 1,
+    Silhouettes,
+    Wireframe,
+}
+
+impl LineKind {
+    /// What they look like; all at nothing where they are not drawn.
+    pub(crate) fn style(self, params: &RenderParams, ink: [f32; 3]) -> types::LineStyle {
+        match self {
+            Self::Silhouettes => {
+                params.silhouettes.map_or_else(types::LineStyle::default, |lines| silhouettes_style(&lines, ink))
+            }
+            Self::Wireframe => types::LineStyle {
+                colour: WIREFRAME_COLOUR,
+                edges: 1,
+                width_px: params.wireframe.unwrap_or(0.0) as f32,
+                ..types::LineStyle::default()
+            },
+        }
+    }
 }
 
 /// Blue, in linear light, that lets paper and ink through and is neither.
 const WIREFRAME_COLOUR: [f32; 4] = [0.03, 0.25, 1.0, 0.7];
 
-/// The line pipelines and their styles.
+/// The line pipelines.
 pub(crate) struct Lines {
-    /// By kind.
-    pub(crate) styles: [wgpu::Buffer; 2],
     /// Mark the lines in blocks of edges, sum them up, list them.
     listing: [wgpu::ComputePipeline; 3],
     module: wgpu::ShaderModule,
     layout: wgpu::PipelineLayout,
-    pipelines: HashMap<(PixelFormat, u32), wgpu::RenderPipeline>,
+    pipelines: HashMap<TargetFormats, wgpu::RenderPipeline>,
 }
 
 impl Lines {
     pub(crate) fn new(gpu: &Gpu, layouts: &Layouts) -> Self {
         Self {
-            styles: ["silhouettes", "wireframe"].map(|label| {
-                gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                    label: Some(label),
-                    size: size_of::<types::LineStyle>() as u64,
-                    usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                    mapped_at_creation: false,
-                })
-            }),
             listing: listing(gpu, layouts),
             module: module(gpu, Pass::Lines),
             layout: gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some("lines"),
-                bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.line_mesh), Some(&layouts.lines)],
+                bind_group_layouts: &[Some(&layouts.frame), Some(&layouts.line_mesh), Some(&layouts.lines)],
                 immediate_size: 0,
             }),
             pipelines: HashMap::new(),
@@ -60,23 +68,9 @@ impl Lines {
         wireframe.into_iter().chain(params.silhouettes.map(|_| LineKind::Silhouettes))
     }
 
-    /// Writes the styles of the lines that are drawn.
-    pub(crate) fn prepare(&self, gpu: &Gpu, params: &RenderParams, ink: [f32; 3]) {
-        let write = |kind: LineKind, style: types::LineStyle| {
-            gpu.queue.write_buffer(&self.styles[kind as usize], 0, bytemuck::bytes_of(&style));
-        };
-        if let Some(silhouettes) = &params.silhouettes {
-            write(LineKind::Silhouettes, silhouettes_style(silhouettes, ink));
-        }
-        if let Some(width_px) = params.wireframe {
-            let style = types::LineStyle { colour: WIREFRAME_COLOUR, edges: 1, ..types::LineStyle::default() };
-            write(LineKind::Wireframe, types::LineStyle { width_px: width_px as f32, ..style });
-        }
-    }
-
-    /// The pipeline for a target, made when first needed.
-    pub(crate) fn pipeline(&mut self, gpu: &Gpu, format: PixelFormat, samples: u32) -> &wgpu::RenderPipeline {
-        self.pipelines.entry((format, samples)).or_insert_with(|| {
+    /// Makes the pipeline for a target, when it is first needed.
+    pub(crate) fn make_pipeline(&mut self, gpu: &Gpu, formats: TargetFormats) {
+        self.pipelines.entry(formats).or_insert_with(|| {
             gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some("lines"),
                 layout: Some(&self.layout),
@@ -90,14 +84,14 @@ impl Lines {
                     topology: wgpu::PrimitiveTopology::TriangleStrip,
                     ..wgpu::PrimitiveState::default()
                 },
-                depth_stencil: Some(depth_state(false)),
-                multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+                depth_stencil: Some(depth_state(formats.depth, false)),
+                multisample: wgpu::MultisampleState { count: formats.samples, ..Default::default() },
                 fragment: Some(wgpu::FragmentState {
                     module: &self.module,
                     entry_point: Some("fragment"),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
                     targets: &[Some(wgpu::ColorTargetState {
-                        format: format.texture_format(),
+                        format: formats.colour,
                         blend: Some(wgpu::BlendState::ALPHA_BLENDING),
                         write_mask: wgpu::ColorWrites::ALL,
                     })],
@@ -105,46 +99,57 @@ impl Lines {
                 multiview_mask: None,
                 cache: None,
             })
-        })
+        });
     }
 
-    /// Lists the edges that are lines of this kind, where not all are.
-    pub(crate) fn list(
-        &self,
-        pass: &mut wgpu::ComputePass<'_>,
-        scene: &wgpu::BindGroup,
-        mesh: &GpuMesh,
-        params: &RenderParams,
-    ) {
-        if params.silhouettes.is_none() {
-            return;
-        }
-        pass.set_bind_group(0, scene, &[]);
-        pass.set_bind_group(1, &mesh.groups.line_mesh, &[]);
-        pass.set_bind_group(2, &mesh.groups.line_edges, &[]);
-        let [columns, rows] = group_rows(mesh.edge_count.div_ceil((BLOCK_EDGES * BLOCK_LANES) as u32));
-        let [mark, sum, list] = &self.listing;
-        for (pipeline, columns, rows) in [(mark, columns, rows), (sum, 1, 1), (list, columns, rows)] {
-            pass.set_pipeline(pipeline);
-            pass.dispatch_workgroups(columns, rows, 1);
+    /// Whether edges of an object are listed: where lines are drawn, but not all of them.
+    pub(crate) fn lists(draw: &Draw<'_>) -> bool {
+        draw.lines.iter().any(|(kind, _)| *kind == LineKind::Silhouettes)
+    }
+
+    /// Lists the edges that are lines, where not all are.
+    pub(crate) fn list(&self, pass: &mut wgpu::ComputePass<'_>, frame: &wgpu::BindGroup, draws: &[Draw<'_>]) {
+        for draw in draws {
+            for (_, style) in draw.lines.iter().filter(|(kind, _)| *kind == LineKind::Silhouettes) {
+                let offsets = Offsets { scene: draw.scene.1, style: *style, ..Offsets::default() };
+                pass.set_bind_group(0, frame, &offsets.of_group());
+                pass.set_bind_group(1, &draw.placed.groups.line_mesh, &[]);
+                pass.set_bind_group(2, &draw.placed.groups.line_edges, &[]);
+                let [columns, rows] =
+                    group_rows(draw.mesh.buffers.edge_count.div_ceil((BLOCK_EDGES * BLOCK_LANES) as u32));
+                let [mark, sum, list] = &self.listing;
+                for (pipeline, columns, rows) in [(mark, columns, rows), (sum, 1, 1), (list, columns, rows)] {
+                    pass.set_pipeline(pipeline);
+                    pass.dispatch_workgroups(columns, rows, 1);
+                }
+            }
         }
     }
 
-    /// Draws one quad per line.
+    /// Draws one quad per line of each object.
     pub(crate) fn record(
+        &self,
         pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        scene: &wgpu::BindGroup,
-        mesh: &GpuMesh,
-        kind: LineKind,
+        frame: &wgpu::BindGroup,
+        formats: TargetFormats,
+        draws: &[Draw<'_>],
     ) {
+        let Some(pipeline) = self.pipelines.get(&formats).filter(|_| draws.iter().any(|draw| !draw.lines.is_empty()))
+        else {
+            return;
+        };
         pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, scene, &[]);
-        pass.set_bind_group(1, &mesh.groups.line_mesh, &[]);
-        pass.set_bind_group(2, &mesh.groups.lines[kind as usize], &[]);
-        match kind {
-            LineKind::Silhouettes => pass.draw_indirect(&mesh.line_arguments, 0),
-            LineKind::Wireframe => pass.draw(0..4, 0..mesh.edge_count),
+        for draw in draws {
+            for (kind, style) in &draw.lines {
+                let offsets = Offsets { scene: draw.scene.1, style: *style, ..Offsets::default() };
+                pass.set_bind_group(0, frame, &offsets.of_group());
+                pass.set_bind_group(1, &draw.placed.groups.line_mesh, &[]);
+                pass.set_bind_group(2, &draw.placed.groups.lines, &[]);
+                match kind {
+                    LineKind::Silhouettes => pass.draw_indirect(&draw.placed.line_arguments, 0),
+                    LineKind::Wireframe => pass.draw(0..4, 0..draw.mesh.buffers.edge_count),
+                }
+            }
         }
     }
 }
@@ -154,7 +159,7 @@ fn listing(gpu: &Gpu, layouts: &Layouts) -> [wgpu::ComputePipeline; 3] {
     let label = Some(Pass::LineEdges.name());
     let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
-        bind_group_layouts: &[Some(&layouts.scene), Some(&layouts.line_mesh), Some(&layouts.line_edges)],
+        bind_group_layouts: &[Some(&layouts.frame), Some(&layouts.line_mesh), Some(&layouts.line_edges)],
         immediate_size: 0,
     });
     ["mark", "sum", "list"].map(|entry_point| {

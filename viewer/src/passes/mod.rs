@@ -12,5 +12,5 @@ mod stripes;
 mod stroke_map;
 
 pub(crate) use faces::Faces;
-pub(crate) use lines::Lines;
+pub(crate) use lines::{LineKind, Lines};
 pub(crate) use shading::{Shading, Variant, variant};

@@ -1,12 +1,13 @@
-//! What all shading passes share: pipelines by variant, and the draw of each part of the mesh.
+//! What all shading passes share: pipelines by variant, and the draw of each part of an object.
 
 use std::collections::HashMap;
 
 use tam_shaders::{Pass, compose};
 
 use super::{debug, face_frame, fine_tone, phong, six_way, stripes, stroke_map};
-use crate::gpu::{DEPTH_FORMAT, Gpu, GpuMesh, Layouts, MapKind, PixelFormat};
+use crate::gpu::{Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats};
 use crate::params::{Blend, Follow, Form, Mapping, Method, RenderParams};
+use crate::renderer::Draw;
 
 /// One way to draw: a shader with its constants.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -78,59 +79,58 @@ pub(super) fn method_variant(params: &RenderParams) -> Variant {
 #[derive(Clone, PartialEq, Eq, Hash)]
 struct PipelineKey {
     variant: Variant,
-    format: PixelFormat,
-    samples: u32,
+    formats: TargetFormats,
     culled: bool,
 }
 
 /// Pipelines, made when first needed.
 #[derive(Default)]
 pub(crate) struct Shading {
-    pipelines: HashMap<PipelineKey, wgpu::RenderPipeline>,
+    pipelines: Vec<wgpu::RenderPipeline>,
+    numbers: HashMap<PipelineKey, usize>,
     modules: HashMap<Pass, wgpu::ShaderModule>,
 }
 
 impl Shading {
-    /// The pipeline of a variant; `culled` leaves out back faces.
+    /// Number of the pipeline of a variant; `culled` leaves out back faces.
     pub(crate) fn pipeline(
         &mut self,
         gpu: &Gpu,
         layouts: &Layouts,
         variant: &Variant,
-        format: PixelFormat,
-        samples: u32,
+        formats: TargetFormats,
         culled: bool,
-    ) -> &wgpu::RenderPipeline {
-        let key = PipelineKey { variant: variant.clone(), format, samples, culled };
-        let Self { pipelines, modules } = self;
-        pipelines.entry(key).or_insert_with(|| {
+    ) -> usize {
+        let key = PipelineKey { variant: variant.clone(), formats, culled };
+        let Self { pipelines, numbers, modules } = self;
+        *numbers.entry(key).or_insert_with(|| {
             let module = modules.entry(variant.pass).or_insert_with(|| module(gpu, variant.pass));
-            shading_pipeline(gpu, layouts, module, variant, format, samples, culled)
+            pipelines.push(shading_pipeline(gpu, layouts, module, variant, formats, culled));
+            pipelines.len() - 1
         })
     }
 
-    /// Draws all parts of a mesh; `materials` gives the offset of each part's material and its map.
-    pub(crate) fn record<'a>(
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        scene: &wgpu::BindGroup,
-        mesh: &GpuMesh,
-        mapping: Mapping,
-        variant: &Variant,
-        materials: impl Iterator<Item = (u32, &'a wgpu::BindGroup)>,
-    ) {
-        pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, scene, &[]);
-        pass.set_bind_group(1, &mesh.groups.drawn, &[]);
-        pass.set_bind_group(3, mesh.surface.group(mapping), &[]);
-        pass.set_index_buffer(mesh.index_buffer.slice(..), wgpu::IndexFormat::Uint32);
-        for (part, (offset, map)) in mesh.parts.iter().zip(materials) {
-            pass.set_bind_group(2, map, &[offset]);
-            if variant.unindexed {
-                // Vertices are counted from the first face of the part, which the material tells.
-                pass.draw(0..3 * (part.end - part.start), 0..1);
-            } else {
-                pass.draw_indexed(3 * part.start..3 * part.end, 0, 0..1);
+    /// Draws all parts of all objects.
+    pub(crate) fn record(&self, pass: &mut wgpu::RenderPass<'_>, frame: &wgpu::BindGroup, draws: &[Draw<'_>]) {
+        let mut set = None;
+        for draw in draws {
+            if set != Some(draw.pipeline) {
+                pass.set_pipeline(&self.pipelines[draw.pipeline]);
+                set = Some(draw.pipeline);
+            }
+            pass.set_bind_group(1, &draw.placed.groups.drawn, &[]);
+            pass.set_bind_group(3, &draw.surface, &[]);
+            pass.set_index_buffer(draw.mesh.buffers.index_buffer.slice(..), wgpu::IndexFormat::Uint32);
+            for (part, (material, map)) in draw.mesh.parts.iter().zip(&draw.parts) {
+                let offsets = Offsets { scene: draw.scene.1, material: *material, ..Offsets::default() };
+                pass.set_bind_group(0, frame, &offsets.of_group());
+                pass.set_bind_group(2, &map.group, &[]);
+                if draw.variant.unindexed {
+                    // Vertices are counted from the first face of the part, which the material tells.
+                    pass.draw(0..3 * (part.end - part.start), 0..1);
+                } else {
+                    pass.draw_indexed(3 * part.start..3 * part.end, 0, 0..1);
+                }
             }
         }
     }
@@ -149,18 +149,12 @@ fn shading_pipeline(
     layouts: &Layouts,
     module: &wgpu::ShaderModule,
     variant: &Variant,
-    format: PixelFormat,
-    samples: u32,
+    formats: TargetFormats,
     culled: bool,
 ) -> wgpu::RenderPipeline {
     let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(variant.pass.name()),
-        bind_group_layouts: &[
-            Some(&layouts.scene),
-            Some(&layouts.mesh),
-            Some(&layouts.material),
-            Some(&layouts.surface),
-        ],
+        bind_group_layouts: &[Some(&layouts.frame), Some(&layouts.mesh), Some(&layouts.map), Some(&layouts.surface)],
         immediate_size: 0,
     });
     let constants: Vec<(&str, f64)> =
@@ -179,22 +173,22 @@ fn shading_pipeline(
             cull_mode: culled.then_some(wgpu::Face::Back),
             ..wgpu::PrimitiveState::default()
         },
-        depth_stencil: Some(depth_state(true)),
-        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        depth_stencil: Some(depth_state(formats.depth, true)),
+        multisample: wgpu::MultisampleState { count: formats.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some("fragment"),
             compilation_options: options,
-            targets: &[Some(format.texture_format().into())],
+            targets: &[Some(formats.colour.into())],
         }),
         multiview_mask: None,
         cache: None,
     })
 }
 
-pub(crate) fn depth_state(write: bool) -> wgpu::DepthStencilState {
+pub(crate) fn depth_state(format: wgpu::TextureFormat, write: bool) -> wgpu::DepthStencilState {
     wgpu::DepthStencilState {
-        format: DEPTH_FORMAT,
+        format,
         depth_write_enabled: Some(write),
         depth_compare: Some(wgpu::CompareFunction::LessEqual),
         stencil: wgpu::StencilState::default(),

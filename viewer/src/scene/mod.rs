@@ -53,23 +53,39 @@ impl Scene {
 
     /// The material of a part.
     pub fn material(&self, part: usize) -> Material {
-        self.materials.get(part).or(self.materials.last()).cloned().unwrap_or_default()
+        material_of(&self.materials, part)
     }
 
-    /// Radius about the origin that holds the placed mesh, given the mesh's own.
+    /// Radius about the camera's target that holds the placed mesh, given the mesh's own.
     pub fn world_radius(&self, mesh_radius: f64) -> f64 {
-        let m = self.world_from_mesh;
+        self.radius_with(self.world_from_mesh, mesh_radius)
+    }
+
+    /// The same for a mesh placed elsewhere.
+    pub(crate) fn radius_with(&self, world_from_mesh: DMat4, mesh_radius: f64) -> f64 {
+        let m = world_from_mesh;
         let stretch = m.x_axis.length().max(m.y_axis.length()).max(m.z_axis.length());
         m.w_axis.truncate().length() + mesh_radius * stretch + self.camera.target.length()
     }
 
     /// As the shaders read it.
     pub fn shared(&self, size_px: [u32; 2], mesh_radius: f64) -> types::Scene {
-        let m = self.world_from_mesh;
+        self.shared_for(self.world_from_mesh, self.ink, size_px, self.world_radius(mesh_radius))
+    }
+
+    /// The same for a mesh placed elsewhere, in other ink; `radius` about the camera's target holds all that is drawn.
+    pub(crate) fn shared_for(
+        &self,
+        world_from_mesh: DMat4,
+        ink: [f32; 3],
+        size_px: [u32; 2],
+        radius: f64,
+    ) -> types::Scene {
+        let m = world_from_mesh;
         let inverse = m.inverse();
         // The cofactor matrix, up to a positive factor.
         let normal = DMat4::from_mat3(glam::DMat3::from_mat4(inverse).transpose() * m.determinant().signum());
-        let clip = self.camera.clip_from_world(size_px, self.world_radius(mesh_radius));
+        let clip = self.camera.clip_from_world(size_px, radius);
         let mut lights = [types::Light::default(); MAX_LIGHTS];
         for (shared, light) in lights.iter_mut().zip(&self.lights.lights) {
             *shared = light.shared();
@@ -86,11 +102,16 @@ impl Scene {
             viewport_px: size_px.map(|side| side as f32),
             ambient: self.lights.ambient as f32,
             paper: with_alpha(self.paper),
-            ink: with_alpha(self.ink),
+            ink: with_alpha(ink),
             lights,
             ..types::Scene::default()
         }
     }
+}
+
+/// The material of a part; the last serves parts beyond, and the default where there is none.
+pub(crate) fn material_of(materials: &[Material], part: usize) -> Material {
+    materials.get(part).or(materials.last()).cloned().unwrap_or_default()
 }
 
 fn with_alpha(colour: [f32; 3]) -> [f32; 4] {
