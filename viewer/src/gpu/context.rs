@@ -157,10 +157,19 @@ impl Gpu {
         let summary = AdapterSummary::of(&adapter.get_info());
         let useful = wgpu::Features::PRIMITIVE_INDEX | wgpu::Features::TIMESTAMP_QUERY;
         let features = adapter.features() & useful;
+        // What every WebGPU adapter has is enough, and less on older ones is tried with; only sizes may be larger.
+        let own = adapter.limits();
+        let required_limits = wgpu::Limits {
+            max_buffer_size: own.max_buffer_size,
+            max_storage_buffer_binding_size: own.max_storage_buffer_binding_size,
+            max_texture_dimension_2d: own.max_texture_dimension_2d,
+            max_texture_array_layers: own.max_texture_array_layers,
+            ..wgpu::Limits::default().or_worse_values_from(&own)
+        };
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("tam-viewer"),
             required_features: features,
-            required_limits: adapter.limits(),
+            required_limits,
             ..wgpu::DeviceDescriptor::default()
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))

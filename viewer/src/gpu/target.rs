@@ -109,7 +109,7 @@ impl Target {
             format,
             colour: view(&texture),
             multisampled,
-            depth: view(&make("depth", DEPTH_FORMAT, samples, attachment)),
+            depth: formats_of(format, samples).depth_view(gpu, size),
             back: gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("read back"),
                 size: bytes,
@@ -171,6 +171,10 @@ impl Target {
         self.back.unmap();
         Ok(Picture { size: self.size, format: self.format, bytes })
     }
+}
+
+fn formats_of(format: PixelFormat, samples: u32) -> TargetFormats {
+    TargetFormats { colour: format.texture_format(), depth: DEPTH_FORMAT, samples }
 }
 
 /// Pixels read back, by rows from the top.

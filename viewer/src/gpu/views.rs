@@ -33,6 +33,21 @@ pub struct TargetViews<'a> {
 }
 
 impl TargetFormats {
+    /// A depth texture for pictures of this size.
+    pub fn depth_view(self, gpu: &Gpu, size_px: [u32; 2]) -> wgpu::TextureView {
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("depth"),
+            size: wgpu::Extent3d { width: size_px[0], height: size_px[1], depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: self.samples,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.depth,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+            view_formats: &[],
+        });
+        texture.create_view(&wgpu::TextureViewDescriptor::default())
+    }
+
     /// Whether a device draws into these; `blended` where lines are drawn.
     pub(crate) fn check(self, gpu: &Gpu, blended: bool) -> Result<(), RenderError> {
         let features = gpu.device.features();
