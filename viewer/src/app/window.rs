@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::{Context, Ui, ViewportCommand};
+use egui::{Context, Key, KeyboardShortcut, Ui, ViewportCommand};
 use egui_tiles::{SimplificationOptions, TileId, UiResponse};
 
 use super::actions::{Action, actions, is_possible};
@@ -215,14 +215,13 @@ impl App {
 
     fn shortcuts(&self, ctx: &Context, actions: &[Action], commands: &mut Vec<Command>) {
         let dialog = self.model.state.transient.dialog.is_some();
-        let typing = ctx.text_edit_focused() || dialog;
+        let typing = ctx.text_edit_focused();
         let mut keyed: Vec<&Action> = actions.iter().filter(|action| action.shortcut.is_some()).collect();
         // Those with more keys held come first: others would match them too.
         keyed.sort_by_key(|action| std::cmp::Reverse(action.shortcut.map_or(0, |keys| held_keys(keys.modifiers))));
         for action in keyed {
             let Some(keys) = action.shortcut else { continue };
-            let plain = !keys.modifiers.command;
-            if (plain && typing) || dialog {
+            if dialog || (typing && belong_to_text(&keys)) {
                 continue;
             }
             if ctx.input_mut(|input| input.consume_shortcut(&keys))
@@ -427,6 +426,12 @@ impl egui_tiles::Behavior<Pane> for Docks<'_, '_> {
     fn min_size(&self) -> f32 {
         120.0
     }
+}
+
+/// Whether a field of text takes these keys while it is typed in.
+fn belong_to_text(keys: &KeyboardShortcut) -> bool {
+    let edits = [Key::A, Key::C, Key::V, Key::X, Key::Y, Key::Z].contains(&keys.logical_key);
+    !keys.modifiers.command || edits
 }
 
 fn held_keys(modifiers: egui::Modifiers) -> u8 {
