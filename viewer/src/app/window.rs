@@ -335,7 +335,8 @@ impl App {
         let held = ctx.input(|input| input.pointer.any_down());
         let demand = Demand {
             size_px: self.view.size_px,
-            moving: held || wheel || state.transient.motion.is_some(),
+            held: held || wheel,
+            plays: state.transient.motion.is_some(),
             chart_shown: self.chart_shown,
         };
         self.engine.follow(state, demand, &mut self.results);

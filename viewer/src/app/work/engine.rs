@@ -33,10 +33,19 @@ pub(super) const SURFACE_TRIANGLES: usize = 2_000_000;
 pub(crate) struct Demand {
     /// Size of the view; 0 while it is hidden.
     pub size_px: [u32; 2],
-    /// A button is held or something plays.
-    pub moving: bool,
+    /// A button is held or the wheel turns: what is asked for now is outdated a moment later.
+    pub held: bool,
+    /// Something plays: pictures follow each other, of one and the same document.
+    pub plays: bool,
     /// The chart is in sight.
     pub chart_shown: bool,
+}
+
+impl Demand {
+    /// Whether the next picture will be another one.
+    pub(super) fn is_moving(self) -> bool {
+        self.held || self.plays
+    }
 }
 
 /// The workers.
@@ -133,7 +142,7 @@ impl Engine {
         let request = |name: String, preset: &Preset, fine| MapRequest {
             name,
             preset: preset.clone(),
-            draft_px: self.pace.draft_px(preset.map.size).filter(|_| demand.moving),
+            draft_px: self.pace.draft_px(preset.map.size).filter(|_| demand.held),
             fine,
         };
         let other = document.compare.as_ref();
@@ -195,8 +204,9 @@ impl Engine {
             self.asked.surface = None;
             return;
         };
-        // While a slider moves, every surface would be outdated before it is made.
-        if self.asked.surface.as_ref() != Some(&request) && !demand.moving {
+        // While a slider moves, every surface would be outdated before it is made. What plays moves lights and vertices of
+        // pictures, not those that surfaces are made from.
+        if self.asked.surface.as_ref() != Some(&request) && !demand.held {
             self.asked.surface = Some(request.clone());
             self.surfaces.request(request);
         }
@@ -216,7 +226,7 @@ impl Engine {
         }
         let asked_moving = self.asked.shot.as_ref().is_some_and(|(_, stillness)| *stillness == Stillness::Moving);
         // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
-        let moving = demand.moving || (costly && changed);
+        let moving = demand.is_moving() || (costly && changed);
         if !moving && asked_moving && self.pictures.is_busy() {
             return;
         }
