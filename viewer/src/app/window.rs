@@ -21,7 +21,7 @@ use super::session;
 use super::state::{Dialog, Notice, PresetSource, Severity, State};
 use super::textures::Textures;
 use super::watch::FileWatch;
-use super::work::{Demand, Engine, Results, Wake};
+use super::work::{Demand, Engine, MARGIN, Results, Wake};
 use super::{panels, style};
 use keeping::{Written, look_up_saved};
 
@@ -30,9 +30,6 @@ const WHEEL_S: f64 = 0.18;
 
 /// Seconds of one round of what plays.
 const ROUND_S: f64 = 10.0;
-
-/// Share of the view's sides left free around the mesh.
-const MARGIN: f64 = 0.08;
 
 /// How the window starts.
 #[derive(Clone, Debug, Default)]
