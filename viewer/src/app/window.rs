@@ -15,15 +15,14 @@ use super::apply::{Effect, Model, apply, tell};
 use super::ask::Asker;
 use super::command::Command;
 use super::history::History;
-use super::layout::{Pane, default_layout};
+use super::layout::Pane;
 use super::panels::{Panel, ShownNotice, ViewReport, dialogs, menu_bar, notices, status_bar};
-use super::session;
 use super::state::{Dialog, Notice, PresetSource, Severity, State};
 use super::textures::Textures;
 use super::watch::FileWatch;
 use super::work::{Demand, Engine, MARGIN, Results, Wake};
 use super::{panels, style};
-use keeping::{Written, look_up_saved};
+use keeping::{KeptSession, Written, look_up_saved, restore};
 
 /// How long a movement by the wheel is taken to go on, in seconds.
 const WHEEL_S: f64 = 0.18;
@@ -52,7 +51,7 @@ pub struct App {
     chart_shown: bool,
     notices: Vec<ShownNotice>,
     messages: Vec<Notice>,
-    session: Option<PathBuf>,
+    session: Option<KeptSession>,
     written: Option<Written>,
     thumbnails: HashSet<String>,
     camera_moved_s: f64,
@@ -71,22 +70,7 @@ impl App {
         let repaint = ctx.clone();
         let wake: Wake = Arc::new(move || repaint.request_repaint());
         let engine = Engine::start(&wake)?;
-        let mut state = State::default();
-        state.transient.frame_mesh = true;
-        let mut layout = default_layout();
-        let restored = options.session.as_deref().map(session::read);
-        match restored {
-            Some(Ok(Some(session))) => {
-                state = session.state;
-                layout = session.layout;
-                if !session.closed && state.is_unsaved() {
-                    let text = "The last session did not end properly. What was not saved is still here.";
-                    tell(&mut state, Severity::Info, text.to_owned());
-                }
-            }
-            Some(Err(error)) => tell(&mut state, Severity::Warning, format!("{error}. It starts anew.")),
-            _ => {}
-        }
+        let (mut state, layout, session) = restore(options.session);
         look_up_saved(&mut state);
         let mut app = Self {
             model: Model { state, history: History::default(), layout },
@@ -99,7 +83,7 @@ impl App {
             chart_shown: false,
             notices: Vec::new(),
             messages: Vec::new(),
-            session: options.session,
+            session,
             written: None,
             thumbnails: HashSet::new(),
             camera_moved_s: f64::NEG_INFINITY,
