@@ -3,7 +3,7 @@
 use egui_kittest::kittest::{NodeT, Queryable};
 use tam_tests::app::Window;
 use tam_viewer::Method;
-use tam_viewer::app::{Command, MapTab, Pane};
+use tam_viewer::app::{Command, Dialog, MapTab, Pane};
 
 use super::helpers::{compare_with_kept, difference, names_of, picture};
 
@@ -213,4 +213,29 @@ fn commands_are_found_by_typing() {
     window.settle();
     assert!(window.app().state().document.look.params.wireframe.is_some());
     assert!(window.app().state().transient.dialog.is_none());
+}
+
+#[test]
+fn keys_that_edit_text_are_left_to_the_field_that_is_typed_in() {
+    let mut window = Window::ready();
+    let mut preset = window.app().state().document.preset.clone();
+    preset.stroke.width_px = 4.0;
+    window.run(Command::SetPreset(Box::new(preset.clone())));
+    window.harness.run_steps(10);
+    window.harness.get_by_label("About").click_accesskit();
+    window.harness.run_steps(20);
+    window.harness.get_by_role_and_label(egui::accesskit::Role::MultilineTextInput, "Description").focus();
+    window.harness.run_steps(2);
+    window.harness.event(egui::Event::Text("Soft. ".to_owned()));
+    window.harness.run_steps(20);
+    assert!(window.app().state().document.preset.description.contains("Soft. "));
+    for _ in 0..3 {
+        window.harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+        window.harness.run_steps(2);
+    }
+    // The field has taken back its own text, and nobody the width.
+    assert_eq!(window.app().state().document.preset, preset);
+    window.harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
+    window.harness.run_steps(2);
+    assert!(matches!(window.app().state().transient.dialog, Some(Dialog::Palette(_))), "other keys work as ever");
 }

@@ -1,6 +1,7 @@
 //! Presets, meshes, exports and sessions in files.
 
 use egui_kittest::kittest::Queryable;
+use image::AnimationDecoder;
 use tam_gen::Preset;
 use tam_tests::app::Window;
 use tam_tests::command;
@@ -81,6 +82,56 @@ fn exports_pass_the_checker_and_pictures_are_written() {
     let path = folder.path().join("round.gif");
     window.run(Command::SaveTurntable(Some(path.clone())));
     assert!(path.is_file(), "{:?}", window.app().messages());
+
+    // A folder is never written over, whatever it is called.
+    let taken = folder.path().join("taken.png");
+    std::fs::create_dir(&taken).expect("a writable folder");
+    window.run(Command::SaveTurntable(Some(taken.clone())));
+    let last = window.app().messages().last().expect("a message");
+    assert!(last.severity == Severity::Error && last.text.contains("taken.png"), "{last:?}");
+    assert_eq!(std::fs::read_dir(&taken).expect("a folder").count(), 0);
+}
+
+#[test]
+fn a_turntable_shows_the_whole_mesh_in_every_frame() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::ready();
+    let mut settings = window.app().state().settings.turntable.clone();
+    (settings.side_px, settings.frames) = (128, 12);
+    window.run(Command::SetTurntable(settings));
+    let path = folder.path().join("round.gif");
+    window.run(Command::SaveTurntable(Some(path.clone())));
+    let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a turntable"));
+    let frames = image::codecs::gif::GifDecoder::new(file).expect("a GIF").into_frames();
+    let frames = frames.collect_frames().expect("frames");
+    assert_eq!(frames.len(), 12);
+    for (number, frame) in frames.iter().enumerate() {
+        let frame = frame.buffer();
+        let paper = frame.get_pixel(0, 0);
+        let on_border = |x, y| x == 0 || y == 0 || x == 127 || y == 127;
+        let inked = frame.enumerate_pixels().filter(|(x, y, pixel)| on_border(*x, *y) && *pixel != paper).count();
+        assert_eq!(inked, 0, "frame {number} is cut off");
+        assert!(frame.pixels().any(|pixel| pixel != paper), "frame {number} is empty");
+    }
+}
+
+#[test]
+fn a_file_that_is_there_is_asked_about_by_its_whole_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("mine.toml");
+    std::fs::write(&path, "older").expect("a writable folder");
+    let mut window = Window::ready();
+    for (answer, replaced) in [("Cancel", false), ("Replace", true)] {
+        window.run(Command::SaveAs(Some(folder.path().join("mine"))));
+        window.harness.run_steps(2);
+        window.harness.get_by_role_and_label(egui::accesskit::Role::Button, answer).click();
+        window.harness.run_steps(2);
+        window.settle();
+        assert!(window.app().state().transient.dialog.is_none());
+        let now = std::fs::read_to_string(&path).expect("it is there");
+        assert_eq!(now != "older", replaced, "{answer}");
+    }
+    assert_eq!(window.app().state().document.source, PresetSource::File(path));
 }
 
 #[test]
@@ -114,11 +165,77 @@ fn a_session_comes_back_also_when_the_window_was_lost() {
     let messages = window.app().messages();
     assert!(messages.iter().any(|message| message.text.contains("did not end properly")), "{messages:?}");
 
+    drop(window);
+
     std::fs::write(&session, "{ torn").expect("a writable folder");
     let mut window = Window::open([1440.0, 900.0], Some(&session));
     window.settle();
     assert_eq!(window.app().state().preset_name(), "pencil");
-    assert!(window.app().messages().iter().any(|message| message.severity == Severity::Warning));
+    let messages = window.app().messages();
+    let told = messages.iter().find(|message| message.severity == Severity::Warning).expect("a warning");
+    assert!(told.text.contains("session.unread-1.json"), "{told:?}");
+    let kept = std::fs::read_to_string(folder.path().join("session.unread-1.json")).expect("it is kept");
+    assert_eq!(kept, "{ torn");
+}
+
+#[test]
+fn a_session_with_an_unknown_word_is_kept_aside_and_read_all_the_same() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = folder.path().join("session.json");
+    let mut window = Window::open([1440.0, 900.0], Some(&session));
+    window.settle();
+    let mut preset = window.app().state().document.preset.clone();
+    preset.stroke.width_px = 5.0;
+    window.run(Command::SetPreset(Box::new(preset.clone())));
+    window.harness.run_steps(40);
+    drop(window);
+    let text = std::fs::read_to_string(&session).expect("the session is kept");
+    let mut written: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
+    written["state"]["document"]["look"]["params"]["method"] = "from-the-future".into();
+    std::fs::write(&session, written.to_string()).expect("a writable folder");
+
+    let mut window = Window::open([1440.0, 900.0], Some(&session));
+    window.settle();
+    window.harness.run_steps(40);
+    assert_eq!(window.app().state().document.preset, preset, "what was not saved is still here");
+    let warnings = window.app().messages().iter().filter(|message| message.severity == Severity::Warning);
+    let told: Vec<_> = warnings.map(|warning| warning.text.as_str()).collect();
+    assert!(told.len() == 1, "{told:?}");
+    assert!(told[0].contains("document.look.params.method") && told[0].contains("session.unread-1.json"), "{told:?}");
+    let aside = std::fs::read_to_string(folder.path().join("session.unread-1.json")).expect("it is kept");
+    assert_eq!(aside, written.to_string());
+    assert!(session.is_file(), "and the next session has its place");
+}
+
+#[test]
+fn a_second_window_starts_from_the_same_session_and_leaves_it_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = folder.path().join("session.json");
+    let mut first = Window::open([1440.0, 900.0], Some(&session));
+    first.settle();
+    let mut preset = first.app().state().document.preset.clone();
+    preset.stroke.width_px = 5.0;
+    first.run(Command::SetPreset(Box::new(preset)));
+    first.harness.run_steps(40);
+    let kept = std::fs::read(&session).expect("the session is kept");
+
+    let mut second = Window::open([1440.0, 900.0], Some(&session));
+    second.settle();
+    assert_eq!(second.app().state().document, first.app().state().document);
+    let told = second.app().messages().iter().filter(|message| message.text.contains("Another window")).count();
+    assert_eq!((told, second.app().messages().len()), (1, 1), "{:?}", second.app().messages());
+    second.run(Command::NewPreset);
+    second.run(Command::ShowPane(Pane::Checks));
+    second.harness.run_steps(40);
+    assert_eq!(std::fs::read(&session).expect("it is there"), kept);
+
+    // Who comes after the first is the next to keep it.
+    drop(first);
+    let mut third = Window::open([1440.0, 900.0], Some(&session));
+    third.settle();
+    third.run(Command::ShowPane(Pane::Checks));
+    third.harness.run_steps(40);
+    assert_ne!(std::fs::read(&session).expect("it is there"), kept);
 }
 
 #[test]

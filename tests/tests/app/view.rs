@@ -3,7 +3,7 @@
 use egui_kittest::kittest::Queryable;
 use tam_gen::Preset;
 use tam_tests::app::Window;
-use tam_viewer::app::{Command, MeshSource, Tool};
+use tam_viewer::app::{Command, MeshSource, Motion, Tool};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::{Mapping, Method};
 
@@ -153,4 +153,44 @@ fn a_mesh_too_fine_for_a_surface_is_drawn_without_and_the_user_is_told() {
     let results = window.app().results();
     assert!(results.surface_problem.is_none());
     assert!(results.picture.as_ref().is_some_and(|picture| picture.surface.is_some()));
+}
+
+#[test]
+fn surfaces_are_made_while_something_plays_and_not_while_a_slider_is_held() {
+    let mut window = Window::ready();
+    window.harness.key_press(egui::Key::Space);
+    window.harness.step();
+    assert!(window.app().state().transient.motion.is_some());
+    let asked = |window: &Window| window.app().results().running.iter().any(|(name, _)| *name == "Surface");
+    let lasts = |window: &mut Window, wanted: bool| {
+        let start = std::time::Instant::now();
+        while asked(window) != wanted {
+            assert!(start.elapsed().as_secs() < 60, "a surface is being made: {}", !wanted);
+            window.harness.step();
+        }
+    };
+    let corner = egui::pos2(2.0, 2.0);
+    window.harness.hover_at(corner);
+    window.harness.drag_at(corner);
+    window.harness.step();
+    let mut look = window.app().state().document.look.clone();
+    look.params.method = Method::Stripes;
+    let ctx = window.harness.ctx.clone();
+    window.harness.state_mut().run(&ctx, Command::SetLook(Box::new(look)));
+    for _ in 0..20 {
+        window.harness.step();
+        assert!(!asked(&window), "while a button is held");
+    }
+    window.harness.drop_at(corner);
+    lasts(&mut window, true);
+    lasts(&mut window, false);
+    // One surface serves all frames of what plays.
+    for motion in [Motion::Orbit, Motion::Light] {
+        window.harness.state_mut().run(&ctx, Command::Play(Some(motion)));
+        for _ in 0..20 {
+            window.harness.step();
+            assert!(!asked(&window), "{motion:?} asks for it again");
+        }
+    }
+    assert!(window.app().results().surface_problem.is_none());
 }

@@ -1,5 +1,7 @@
 //! Carries out commands: the one place where state changes.
 
+mod saving;
+
 use std::path::{Path, PathBuf};
 
 use egui_tiles::{Tile, Tree};
@@ -11,6 +13,7 @@ use super::layout::{Pane, default_layout};
 use super::randomise::randomised;
 use super::state::{Dialog, Document, MeshBefore, MeshSource, Notice, PresetSource, Severity, State};
 use crate::surface::guides;
+use saving::{save, save_guides, with_extension};
 
 /// State with its past and its panels.
 pub(crate) struct Model {
@@ -73,6 +76,13 @@ pub const MESH_KINDS: [&str; 5] = ["obj", "gltf", "glb", "ply", "stl"];
 
 /// Carries out a command; what it needs of the world is left to the caller.
 pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
+    if let Some((path, command)) = with_extension(&command) {
+        if path.is_file() {
+            model.state.transient.dialog = Some(Dialog::Replace(path, Box::new(command)));
+            return Vec::new();
+        }
+        return apply(model, command);
+    }
     let state = &mut model.state;
     match command {
         Command::SetPreset(preset) => state.document.preset = *preset,
@@ -137,6 +147,10 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
         Command::Discard(command) => {
             state.transient.dialog = None;
             return discard(model, *command);
+        }
+        Command::Replace(command) => {
+            state.transient.dialog = None;
+            return apply(model, *command);
         }
         Command::OpenShipped(_) | Command::OpenPreset(Some(_)) | Command::NewPreset | Command::Quit => {
             return discard(model, command);
@@ -289,35 +303,6 @@ fn open_preset(state: &mut State, path: &Path) {
             open(state, PresetSource::File(path.to_owned()), preset);
         }
         Err(error) => tell(state, Severity::Error, error.to_string()),
-    }
-}
-
-/// Writes the preset; the old file stays until the new one is whole.
-fn save(state: &mut State, path: &Path) {
-    let path = if path.extension().is_none() { path.with_extension("toml") } else { path.to_owned() };
-    match tam_gen::files::replace(&path, state.document.preset.to_toml().as_bytes()) {
-        Ok(()) => {
-            state.remember_preset(&path);
-            let preset = state.document.preset.clone();
-            open(state, PresetSource::File(path.clone()), preset);
-            tell(state, Severity::Done, format!("Saved {}", path.display()));
-        }
-        Err(error) => {
-            tell(
-                state,
-                Severity::Error,
-                format!("{} could not be saved: {error}. The preset is still here.", path.display()),
-            );
-        }
-    }
-}
-
-fn save_guides(state: &mut State, path: &Path) {
-    let path = if path.extension().is_none() { path.with_extension("json") } else { path.to_owned() };
-    let text = guides::to_text(&state.document.look.guides);
-    match tam_gen::files::replace(&path, text.as_bytes()) {
-        Ok(()) => tell(state, Severity::Done, format!("Saved {}", path.display())),
-        Err(error) => tell(state, Severity::Error, format!("{} could not be saved: {error}", path.display())),
     }
 }
 

@@ -132,4 +132,6 @@ pub enum Command {
     Quit,
     /// Do it without asking: changes are lost.
     Discard(Box<Command>),
+    /// Do it: the file that it writes to may be replaced.
+    Replace(Box<Command>),
 }

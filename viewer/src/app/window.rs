@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::{Context, Ui, ViewportCommand};
+use egui::{Context, Key, KeyboardShortcut, Ui, ViewportCommand};
 use egui_tiles::{SimplificationOptions, TileId, UiResponse};
 
 use super::actions::{Action, actions, is_possible};
@@ -15,24 +15,20 @@ use super::apply::{Effect, Model, apply, tell};
 use super::ask::Asker;
 use super::command::Command;
 use super::history::History;
-use super::layout::{Pane, default_layout};
+use super::layout::Pane;
 use super::panels::{Panel, ShownNotice, ViewReport, dialogs, menu_bar, notices, status_bar};
-use super::session;
 use super::state::{Dialog, Notice, PresetSource, Severity, State};
 use super::textures::Textures;
 use super::watch::FileWatch;
-use super::work::{Demand, Engine, Results, Wake};
+use super::work::{Demand, Engine, MARGIN, Results, Wake};
 use super::{panels, style};
-use keeping::{Written, look_up_saved};
+use keeping::{KeptSession, Written, look_up_saved, restore};
 
 /// How long a movement by the wheel is taken to go on, in seconds.
 const WHEEL_S: f64 = 0.18;
 
 /// Seconds of one round of what plays.
 const ROUND_S: f64 = 10.0;
-
-/// Share of the view's sides left free around the mesh.
-const MARGIN: f64 = 0.08;
 
 /// How the window starts.
 #[derive(Clone, Debug, Default)]
@@ -55,7 +51,7 @@ pub struct App {
     chart_shown: bool,
     notices: Vec<ShownNotice>,
     messages: Vec<Notice>,
-    session: Option<PathBuf>,
+    session: Option<KeptSession>,
     written: Option<Written>,
     thumbnails: HashSet<String>,
     camera_moved_s: f64,
@@ -74,22 +70,7 @@ impl App {
         let repaint = ctx.clone();
         let wake: Wake = Arc::new(move || repaint.request_repaint());
         let engine = Engine::start(&wake)?;
-        let mut state = State::default();
-        state.transient.frame_mesh = true;
-        let mut layout = default_layout();
-        let restored = options.session.as_deref().map(session::read);
-        match restored {
-            Some(Ok(Some(session))) => {
-                state = session.state;
-                layout = session.layout;
-                if !session.closed && state.is_unsaved() {
-                    let text = "The last session did not end properly. What was not saved is still here.";
-                    tell(&mut state, Severity::Info, text.to_owned());
-                }
-            }
-            Some(Err(error)) => tell(&mut state, Severity::Warning, format!("{error}. It starts anew.")),
-            _ => {}
-        }
+        let (mut state, layout, session) = restore(options.session);
         look_up_saved(&mut state);
         let mut app = Self {
             model: Model { state, history: History::default(), layout },
@@ -102,7 +83,7 @@ impl App {
             chart_shown: false,
             notices: Vec::new(),
             messages: Vec::new(),
-            session: options.session,
+            session,
             written: None,
             thumbnails: HashSet::new(),
             camera_moved_s: f64::NEG_INFINITY,
@@ -215,14 +196,13 @@ impl App {
 
     fn shortcuts(&self, ctx: &Context, actions: &[Action], commands: &mut Vec<Command>) {
         let dialog = self.model.state.transient.dialog.is_some();
-        let typing = ctx.text_edit_focused() || dialog;
+        let typing = ctx.text_edit_focused();
         let mut keyed: Vec<&Action> = actions.iter().filter(|action| action.shortcut.is_some()).collect();
         // Those with more keys held come first: others would match them too.
         keyed.sort_by_key(|action| std::cmp::Reverse(action.shortcut.map_or(0, |keys| held_keys(keys.modifiers))));
         for action in keyed {
             let Some(keys) = action.shortcut else { continue };
-            let plain = !keys.modifiers.command;
-            if (plain && typing) || dialog {
+            if dialog || (typing && belong_to_text(&keys)) {
                 continue;
             }
             if ctx.input_mut(|input| input.consume_shortcut(&keys))
@@ -336,7 +316,8 @@ impl App {
         let held = ctx.input(|input| input.pointer.any_down());
         let demand = Demand {
             size_px: self.view.size_px,
-            moving: held || wheel || state.transient.motion.is_some(),
+            held: held || wheel,
+            plays: state.transient.motion.is_some(),
             chart_shown: self.chart_shown,
         };
         self.engine.follow(state, demand, &mut self.results);
@@ -427,6 +408,12 @@ impl egui_tiles::Behavior<Pane> for Docks<'_, '_> {
     fn min_size(&self) -> f32 {
         120.0
     }
+}
+
+/// Whether a field of text takes these keys while it is typed in.
+fn belong_to_text(keys: &KeyboardShortcut) -> bool {
+    let edits = [Key::A, Key::C, Key::V, Key::X, Key::Y, Key::Z].contains(&keys.logical_key);
+    !keys.modifiers.command || edits
 }
 
 fn held_keys(modifiers: egui::Modifiers) -> u8 {

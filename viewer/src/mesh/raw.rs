@@ -24,6 +24,8 @@ pub struct RawMesh {
     pub parts: Vec<RawPart>,
     /// Movement of the vertices, where the file has one.
     pub animation: Option<Animation>,
+    /// Whether it was made by [`Sample::build`](super::sample::Sample::build), and no file has to do with it.
+    pub made: bool,
     /// What the reader found and left out, in whole sentences.
     pub notes: Vec<String>,
 }

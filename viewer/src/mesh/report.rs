@@ -49,6 +49,9 @@ pub struct MeshReport {
     pub normals_from_file: usize,
     /// Triangle corners whose normal in the file was missing, not finite or opposed to the face.
     pub normals_refused: usize,
+    /// Whether it is a sample, of which there is no file.
+    #[serde(skip)]
+    pub made: bool,
     /// What the reader of the file has to say.
     pub reader_notes: Vec<String>,
 }
@@ -99,8 +102,9 @@ impl MeshReport {
             "texture coordinate was not finite and is zero now",
             "texture coordinates were not finite and are zero now",
         );
-        // Without any normal in the file there is nothing to refuse.
-        if self.normals_from_file > 0 {
+        // Without any normal in the file there is nothing to refuse, and at the tips of a sample, where its form has no
+        // normal, made ones are what is wanted.
+        if self.normals_from_file > 0 && !self.made {
             note(
                 self.normals_refused,
                 "corner has a made normal: the file's is unusable",

@@ -5,7 +5,9 @@
 //! ```
 
 mod path;
+mod swept;
 mod writer;
 
 pub use path::Path;
+pub use swept::swept;
 pub use writer::{FrameFile, FrameWriter, WriteError};

@@ -113,3 +113,51 @@ fn looks_and_locks_are_set_as_asked() {
     apply(&mut model, Command::Lock("width_px".into(), false));
     assert!(model.state.settings.locked.is_empty());
 }
+
+#[test]
+fn a_file_that_is_not_named_in_full_is_replaced_only_after_a_question() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut model = model();
+    change(&mut model);
+    type Save = fn(Option<PathBuf>) -> Command;
+    let kinds: [(Save, &str); 4] = [
+        (Command::SaveAs, "toml"),
+        (Command::SaveGuides, "json"),
+        (Command::SavePicture, "png"),
+        (Command::SaveTurntable, "png"),
+    ];
+    for (save, extension) in kinds {
+        let short = folder.path().join("mine");
+        let path = folder.path().join(format!("mine.{extension}"));
+        std::fs::write(&path, "older").expect("a writable folder");
+        let before = model.state.document.clone();
+        assert_eq!(apply(&mut model, save(Some(short))), []);
+        let whole = Box::new(save(Some(path.clone())));
+        assert_eq!(model.state.transient.dialog, Some(Dialog::Replace(path.clone(), whole.clone())));
+        assert_eq!(std::fs::read_to_string(&path).expect("it is there"), "older");
+        assert_eq!(model.state.document, before);
+        let effects = apply(&mut model, Command::Replace(whole));
+        assert!(model.state.transient.dialog.is_none());
+        let replaced = std::fs::read_to_string(&path).expect("it is there") != "older";
+        assert!(replaced || !effects.is_empty(), "{extension} is written, or left to a worker");
+    }
+}
+
+#[test]
+fn pictures_and_turntables_without_extension_become_png() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut model = model();
+    let (short, whole) = (folder.path().join("round"), folder.path().join("round.png"));
+    let picture = apply(&mut model, Command::SavePicture(Some(short.clone())));
+    assert_eq!(picture, [Effect::SavePicture(whole.clone())]);
+    // A folder of that name is not meant, and stays as it is.
+    std::fs::create_dir(&short).expect("a writable folder");
+    let turntable = apply(&mut model, Command::SaveTurntable(Some(short)));
+    assert_eq!(turntable, [Effect::SaveTurntable(whole)]);
+    // What has no name at all is left to whoever writes it.
+    let nothing = Command::SavePicture(Some(PathBuf::from("..")));
+    assert_eq!(apply(&mut model, nothing), [Effect::SavePicture(PathBuf::from(".."))]);
+    let gif = folder.path().join("round.gif");
+    let turntable = apply(&mut model, Command::SaveTurntable(Some(gif.clone())));
+    assert_eq!(turntable, [Effect::SaveTurntable(gif)]);
+}

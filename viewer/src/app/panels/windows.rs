@@ -17,6 +17,19 @@ pub(crate) fn dialogs(panel: &mut Panel<'_>, ctx: &Context, actions: &[Action]) 
         Dialog::Palette(typed) => palette::show(panel, ui, typed, actions),
         Dialog::Unsaved(then) => unsaved(panel, ui, then),
         Dialog::About => about(panel, ui),
+        Dialog::Replace(path, save) => {
+            ui.set_max_width(380.0);
+            ui.heading("Replace the file?");
+            ui.label(format!("{} is there already.", path.display()));
+            ui.horizontal(|ui| {
+                if ui.button("Replace").clicked() {
+                    panel.ask(Command::Replace(save.clone()));
+                }
+                if ui.button("Cancel").clicked() {
+                    panel.ask(Command::ShowDialog(None));
+                }
+            });
+        }
         Dialog::ChangedOnDisk(path) => {
             ui.heading("The preset was changed by another program");
             ui.label(format!("{} is newer than what is open here, which has changes of its own.", path.display()));

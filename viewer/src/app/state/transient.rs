@@ -127,6 +127,8 @@ pub enum Dialog {
     About,
     /// A preset file was changed by another program while it has changes here.
     ChangedOnDisk(PathBuf),
+    /// A file is there already that nobody has named in full; what would replace it.
+    Replace(PathBuf, Box<super::super::command::Command>),
 }
 
 /// How bad it is.

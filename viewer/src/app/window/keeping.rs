@@ -1,13 +1,14 @@
 //! The session: written down from time to time, and looked up at the start.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use egui::Context;
 use egui_tiles::Tree;
 
 use super::super::apply::{Model, tell};
-use super::super::layout::Pane;
-use super::super::session::{self, Session};
+use super::super::layout::{Pane, default_layout};
+use super::super::session::{self, Found, Lock, Owner, Session};
 use super::super::state::{MeshSource, PresetSource, Severity, State};
 use super::App;
 
@@ -19,6 +20,62 @@ pub(super) struct Written {
     state: State,
     layout: Tree<Pane>,
     at_s: f64,
+}
+
+/// Where this window keeps its session.
+pub(super) struct KeptSession {
+    path: PathBuf,
+    /// Held as long as the window is there.
+    _lock: Lock,
+}
+
+/// What a window starts with, and where it keeps its session: nowhere if another window does, or if what is there can
+/// neither be read nor put aside.
+pub(super) fn restore(path: Option<PathBuf>) -> (State, Tree<Pane>, Option<KeptSession>) {
+    let mut state = State::default();
+    state.transient.frame_mesh = true;
+    let mut layout = default_layout();
+    let Some(path) = path else { return (state, layout, None) };
+    let owner = Lock::take(&path);
+    let (session, problem) = match session::read(&path) {
+        Ok(Found::Nothing) => (None, None),
+        Ok(Found::Whole(session)) => (Some(session), None),
+        Ok(Found::Part(session, problem)) => (Some(session), Some(problem)),
+        Err(problem) => (None, Some(problem)),
+    };
+    let starts_anew = session.is_none();
+    let lost = session.as_ref().is_some_and(|session| !session.closed);
+    if let Some(session) = session {
+        (state, layout) = (session.state, session.layout);
+    }
+    let Owner::This(lock) = owner else {
+        let text = "Another window keeps this session already: what is changed here is gone when this one is closed, \
+                    unless it is saved.";
+        tell(&mut state, Severity::Info, text.to_owned());
+        return (state, layout, None);
+    };
+    if lost && state.is_unsaved() {
+        let text = "The last session did not end properly. What was not saved is still here.";
+        tell(&mut state, Severity::Info, text.to_owned());
+    }
+    let mut kept = Some(KeptSession { path, _lock: lock });
+    if let (Some(problem), Some(KeptSession { path, .. })) = (problem, &kept) {
+        let anew = if starts_anew { " It starts anew." } else { "" };
+        match session::put_aside(path) {
+            Ok(aside) => {
+                let text = format!("{problem}.{anew} The file is kept as {}.", aside.display());
+                tell(&mut state, Severity::Warning, text);
+            }
+            Err(error) => {
+                let text = format!(
+                    "{problem}.{anew} It could not be put aside ({error}), so this session is not kept in its place."
+                );
+                tell(&mut state, Severity::Warning, text);
+                kept = None;
+            }
+        }
+    }
+    (state, layout, kept)
 }
 
 impl App {
@@ -42,7 +99,7 @@ impl App {
     }
 
     pub(super) fn write_session(&mut self, closed: bool) {
-        let Some(path) = &self.session else { return };
+        let Some(KeptSession { path, .. }) = &self.session else { return };
         let session = Session { state: self.model.state.clone(), layout: self.model.layout.clone(), closed };
         if let Err(error) = session::write(path, &session) {
             // Once is enough: a full disk stays full for a while.

@@ -1,6 +1,7 @@
 //! All workers, and what to ask them for.
 
 mod collect;
+mod round;
 mod view;
 
 use std::path::PathBuf;
@@ -23,6 +24,8 @@ use super::worker::Wake;
 use crate::Method;
 use crate::app::state::{Compare, Look, MeshSource, Motion, Notice, Severity, State};
 use crate::app::words;
+pub(crate) use round::MARGIN;
+use round::Round;
 use view::{looks, path_of, scene, surface_request};
 
 /// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
@@ -33,10 +36,19 @@ pub(super) const SURFACE_TRIANGLES: usize = 2_000_000;
 pub(crate) struct Demand {
     /// Size of the view; 0 while it is hidden.
     pub size_px: [u32; 2],
-    /// A button is held or something plays.
-    pub moving: bool,
+    /// A button is held or the wheel turns: what is asked for now is outdated a moment later.
+    pub held: bool,
+    /// Something plays: pictures follow each other, of one and the same document.
+    pub plays: bool,
     /// The chart is in sight.
     pub chart_shown: bool,
+}
+
+impl Demand {
+    /// Whether the next picture will be another one.
+    pub(super) fn is_moving(self) -> bool {
+        self.held || self.plays
+    }
 }
 
 /// The workers.
@@ -56,6 +68,9 @@ pub(crate) struct Engine {
     refused: Vec<SurfaceRequest>,
     writing: Option<String>,
     pace: Pace,
+    /// Size of the view, when it was last in sight.
+    view_px: [u32; 2],
+    round: Round,
     /// Messages for the next time that replies are collected.
     told: Vec<Notice>,
 }
@@ -91,6 +106,8 @@ impl Engine {
             refused: Vec::new(),
             writing: None,
             pace: Pace::default(),
+            view_px: [0; 2],
+            round: Round::default(),
             told: Vec::new(),
         })
     }
@@ -108,6 +125,9 @@ impl Engine {
 
     /// Asks for what the state needs and nobody was asked for yet.
     pub(crate) fn follow(&mut self, state: &State, demand: Demand, results: &mut Results) {
+        if !demand.size_px.contains(&0) {
+            self.view_px = demand.size_px;
+        }
         self.follow_map(state, demand, results);
         self.follow_mesh(state);
         if let Some(mesh) = results.mesh.clone() {
@@ -133,7 +153,7 @@ impl Engine {
         let request = |name: String, preset: &Preset, fine| MapRequest {
             name,
             preset: preset.clone(),
-            draft_px: self.pace.draft_px(preset.map.size).filter(|_| demand.moving),
+            draft_px: self.pace.draft_px(preset.map.size).filter(|_| demand.held),
             fine,
         };
         let other = document.compare.as_ref();
@@ -195,8 +215,9 @@ impl Engine {
             self.asked.surface = None;
             return;
         };
-        // While a slider moves, every surface would be outdated before it is made.
-        if self.asked.surface.as_ref() != Some(&request) && !demand.moving {
+        // While a slider moves, every surface would be outdated before it is made. What plays moves lights and vertices of
+        // pictures, not those that surfaces are made from.
+        if self.asked.surface.as_ref() != Some(&request) && !demand.held {
             self.asked.surface = Some(request.clone());
             self.surfaces.request(request);
         }
@@ -207,7 +228,8 @@ impl Engine {
         if demand.size_px.contains(&0) {
             return;
         }
-        let Some(mut shot) = self.shot(state, mesh, map, demand.size_px, 4) else { return };
+        let motion = state.transient.motion;
+        let Some(mut shot) = self.shot(state, mesh, map, demand.size_px, motion) else { return };
         let costly = self.pace.coarser() > 1;
         let changed = self.asked.shot.as_ref().is_none_or(|(asked, _)| !asked.shows_same(&shot));
         // As long as nothing has moved yet, the picture that is looked at is the best there is.
@@ -216,7 +238,7 @@ impl Engine {
         }
         let asked_moving = self.asked.shot.as_ref().is_some_and(|(_, stillness)| *stillness == Stillness::Moving);
         // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
-        let moving = demand.moving || (costly && changed);
+        let moving = demand.is_moving() || (costly && changed);
         if !moving && asked_moving && self.pictures.is_busy() {
             return;
         }
@@ -277,8 +299,8 @@ impl Engine {
 
     /// Saves the view as a picture. `false`: something is being written already, or there is nothing to draw yet.
     pub(crate) fn save_picture(&mut self, state: &State, results: &Results, path: PathBuf) -> bool {
-        let settings = &state.settings.picture;
-        let Some(mut shot) = self.whole_shot(state, results, settings.size_px) else { return false };
+        let (settings, motion) = (&state.settings.picture, state.transient.motion);
+        let Some(mut shot) = self.whole_shot(state, results, settings.size_px, motion) else { return false };
         shot.scene.transparent = settings.transparent;
         self.write("Picture", FileRequest::Picture { shot: Box::new(shot), path })
     }
@@ -286,15 +308,22 @@ impl Engine {
     /// Saves a turntable of what plays, or else of the camera going round.
     pub(crate) fn save_turntable(&mut self, state: &State, results: &Results, path: PathBuf) -> bool {
         let settings = &state.settings.turntable;
-        let Some(shot) = self.whole_shot(state, results, [settings.side_px; 2]) else { return false };
-        let along = path_of(state.transient.motion.unwrap_or(Motion::Orbit));
+        let motion = state.transient.motion.unwrap_or(Motion::Orbit);
+        let Some(shot) = self.whole_shot(state, results, [settings.side_px; 2], Some(motion)) else { return false };
+        let along = path_of(motion);
         let (frames, fps) = (settings.frames, settings.fps);
         self.write("Turntable", FileRequest::Turntable { shot: Box::new(shot), along, path, frames, fps })
     }
 
-    fn whole_shot(&self, state: &State, results: &Results, size_px: [u32; 2]) -> Option<Shot> {
+    fn whole_shot(
+        &mut self,
+        state: &State,
+        results: &Results,
+        size_px: [u32; 2],
+        motion: Option<Motion>,
+    ) -> Option<Shot> {
         let (mesh, map) = (results.mesh.as_ref()?, results.map.as_ref()?);
-        self.shot(state, mesh, map, size_px, 4)
+        self.shot(state, mesh, map, size_px, motion)
     }
 
     fn write(&mut self, what: &str, request: FileRequest) -> bool {

@@ -111,7 +111,9 @@ fn turntable(
     job: &Job<'_>,
 ) -> Result<FileReply, String> {
     let painter = painter(kept)?;
+    // Frames that are put into a folder would take the place of others there, which no dialog has asked about.
     let file = FrameFile::of(path)
+        .filter(|file| !matches!(file, FrameFile::Folder(_)))
         .ok_or_else(|| format!("{} is of no kind that frames are written to: .png or .gif", path.display()))?;
     // The dialog has asked whether it may be replaced.
     let mut writer = FrameWriter::new(&file, shot.size_px, frames, fps, true).map_err(|error| error.to_string())?;

@@ -43,7 +43,7 @@ impl Measuring {
         let subject = |most_px| Subject::of(state, results, scene, demand.size_px, most_px);
         let [charted, fitted] = [chart::PICTURE_PX, fit::PICTURE_PX].map(subject);
         let shown = demand.chart_shown && !state.settings.chart.paused;
-        let rests = !demand.moving && !busy && !self.fits.is_busy();
+        let rests = !demand.is_moving() && !busy && !self.fits.is_busy();
         self.chart.follow(charted, made, [shown, rests], &mut results.chart);
         self.fits.follow(fitted.as_ref(), &state.settings.fit, &mut results.fit);
     }

@@ -21,7 +21,7 @@ mod thumbnails;
 mod worker;
 
 pub use chart::{ChartResults, MeasuredWay};
-pub(crate) use engine::{Demand, Engine};
+pub(crate) use engine::{Demand, Engine, MARGIN};
 pub use fit::{FitResults, FittedScene};
 pub(crate) use map::MadeMap;
 pub use results::Results;

@@ -38,7 +38,7 @@ pub const TRIANGLES_MAX: usize = (1 << 31) / 3;
 /// [`MeshError::Lengths`] and [`MeshError::Parts`] if `raw` contradicts itself.
 pub fn prepare(raw: RawMesh) -> Result<Loaded, MeshError> {
     check(&raw)?;
-    let mut report = MeshReport { reader_notes: raw.notes.clone(), ..Default::default() };
+    let mut report = MeshReport { reader_notes: raw.notes.clone(), made: raw.made, ..Default::default() };
 
     let mut faces = clean::usable(&raw, &mut report);
     let welded = weld::weld(&raw.positions, &faces);

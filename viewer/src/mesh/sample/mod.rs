@@ -153,6 +153,7 @@ impl Sample {
             Self::Head => head::head(triangles),
         };
         self.name().clone_into(&mut mesh.name);
+        mesh.made = true;
         if mesh.parts.is_empty() {
             let triangles = 0..mesh.triangles.len();
             mesh.parts.push(RawPart { name: mesh.name.clone(), colour: None, triangles });

@@ -5,7 +5,7 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use glam::{Vec2, Vec3};
 
-use super::super::RawMesh;
+use super::super::{RawMesh, prepare};
 use super::Sample;
 
 const CLOSED: [Sample; 9] = [
@@ -370,4 +370,13 @@ fn names_find_their_sample() {
         assert!(!sample.description().is_empty());
     }
     assert_eq!(Sample::named("bunny"), None);
+}
+
+#[test]
+fn samples_have_nothing_to_note() {
+    for sample in Sample::ALL {
+        let raw = built(sample, sample.default_triangles());
+        let report = prepare(RawMesh::clone(&raw)).expect("a mesh").report;
+        assert!(report.notes().is_empty(), "{}: {:?}", sample.name(), report.notes());
+    }
 }

@@ -15,14 +15,14 @@ use crate::turntable::Path;
 use crate::{Mapping, Method, Scene};
 
 impl Engine {
-    /// What the view shows, at this size; `None` while something of it is still to be made.
+    /// What the view shows, at this size and with this movement; `None` while something of it is still to be made.
     pub(super) fn shot(
-        &self,
+        &mut self,
         state: &State,
         mesh: &LoadedMesh,
         map: &Arc<MadeMap>,
         size_px: [u32; 2],
-        samples: u32,
+        motion: Option<Motion>,
     ) -> Option<Shot> {
         let looks = looks(state, mesh);
         let mut sides = vec![self.side(&looks[0], state, mesh, map, &state.document.preset)];
@@ -35,9 +35,12 @@ impl Engine {
             sides.push(self.side(look, state, mesh, map, preset));
             split = compare.split;
         }
-        let scene = scene(state, mesh);
-        let pose = state.transient.motion.map(|motion| (path_of(motion), state.transient.phase));
-        Some(Shot { size_px, samples, scene, pose, sides, split })
+        let mut scene = scene(state, mesh);
+        if motion == Some(Motion::Orbit) {
+            scene.camera.distance = self.round.distance(&scene.camera, &mesh.mesh, self.view_px, size_px);
+        }
+        let pose = motion.map(|motion| (path_of(motion), state.transient.phase));
+        Some(Shot { size_px, samples: 4, scene, pose, sides, split })
     }
 
     /// One side, with the surface that is there: that of an older choice until the new one is made, and three planes until
