@@ -7,8 +7,8 @@ use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::Mesh;
 use tam_viewer::stability;
 pub use tam_viewer::stability::{difference, light_from, nan_count};
-use tam_viewer::surface::{LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions};
-use tam_viewer::{Camera, Light, Lights, Mapping, Method, RenderParams, Renderer, Scene};
+use tam_viewer::surface::{FieldOptions, StripeOptions, Surface, SurfaceNeeds, SurfaceOptions};
+use tam_viewer::{Camera, Light, Lights, Mapping, RenderParams, Renderer, Scene};
 
 /// The adapter that tests run on where nothing else is asked for.
 const SOFTWARE: &str = "llvmpipe";
@@ -93,16 +93,8 @@ impl Stage {
 
 /// What a surface needs for a way to draw, else as it is without options.
 pub fn surface_options(params: &RenderParams) -> SurfaceOptions {
-    let (tiles_per_unit, follow) = (params.tiles_per_unit, params.follow);
-    let mapped = |mapping: Mapping| params.needed_mapping() == Some(mapping);
-    let patches = || PatchOptions { tiles_per_unit, follow, ..PatchOptions::default() };
-    let lapped = || LappedOptions { tiles_per_unit, ..LappedOptions::default() };
-    SurfaceOptions {
-        patches: mapped(Mapping::Patches).then(patches),
-        lapped: mapped(Mapping::Lapped).then(lapped),
-        stripes: (params.method == Method::Stripes).then(StripeOptions::default),
-        ..SurfaceOptions::default()
-    }
+    let (field, lines_per_unit) = (FieldOptions::default(), StripeOptions::default().lines_per_unit);
+    SurfaceNeeds::of(params).options(field, params, false, lines_per_unit).unwrap_or_default()
 }
 
 /// The surface for a way to draw; `None` where it needs none. The mesh is not cut.
@@ -114,7 +106,7 @@ pub fn surface_for(params: &RenderParams, mesh: &Mesh) -> Option<Surface> {
 }
 
 fn takes_surface(params: &RenderParams) -> bool {
-    params.method == Method::Stripes || params.needed_mapping().is_some_and(Mapping::takes_surface)
+    SurfaceNeeds::of(params) != SurfaceNeeds::default()
 }
 
 /// The mappings that a mesh can be drawn with.

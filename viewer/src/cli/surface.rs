@@ -9,8 +9,7 @@ use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::mesh::Mesh;
 use tam_viewer::surface::store::StoreError;
 use tam_viewer::surface::{
-    FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, Surface, SurfaceOptions, guides,
-    store,
+    FieldOptions, FieldSource, Guide, StripeOptions, Surface, SurfaceNeeds, SurfaceOptions, guides, store,
 };
 use tam_viewer::{Follow, LightKind, Mapping, Method, RenderParams, Scene, ranges};
 
@@ -122,38 +121,30 @@ impl SurfaceArgs {
         params: &RenderParams,
         output: &Output,
     ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        let tiles_per_unit = params.tiles_per_unit;
-        let varied = methods.contains(&Method::Stripes) && params.variety > 0.0;
-        if varied && self.follow() == Follow::Light {
+        let own = [params.mapping];
+        let ways = methods.iter().flat_map(|method| {
+            let mappings = if method.takes_mapping() { mappings } else { &own };
+            mappings.iter().map(|mapping| RenderParams { method: *method, mapping: *mapping, ..*params })
+        });
+        let needs = ways.map(|way| SurfaceNeeds::of(&way)).fold(SurfaceNeeds::default(), SurfaceNeeds::and);
+        if needs.stripes && params.variety > 0.0 && self.follow() == Follow::Light {
             return Err(Failure::usage(
                 "--follow light: the strokes of stripes cannot turn",
                 "leave it out, or draw plain lines with --variety 0",
             ));
         }
-        let patches = (varied || mappings.contains(&Mapping::Patches)).then(|| PatchOptions {
-            tiles_per_unit,
-            follow: self.follow(),
-            planar: self.planar,
-            ..PatchOptions::default()
-        });
-        let lapped =
-            mappings.contains(&Mapping::Lapped).then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
-        let default = StripeOptions::default();
-        let stripes = methods
-            .contains(&Method::Stripes)
-            .then(|| StripeOptions { lines_per_unit: self.stripes.unwrap_or(default.lines_per_unit), ..default });
-        if patches.is_none() && lapped.is_none() && stripes.is_none() {
+        if needs == SurfaceNeeds::default() {
             return Ok(None);
         }
-        let edges = [patches.map(|patches| patches.longest_edge()), lapped.map(|lapped| lapped.longest_edge())];
-        let fine = match edges.into_iter().flatten().reduce(f64::min) {
-            Some(longest) => mesh.subdivided(longest as f32),
-            None => mesh.clone(),
+        let lines_per_unit = self.stripes.unwrap_or(StripeOptions::default().lines_per_unit);
+        let params = RenderParams { follow: self.follow(), ..*params };
+        let Some(options) = needs.options(self.field(mesh, scene)?, &params, self.planar, lines_per_unit) else {
+            return Ok(None);
         };
+        let fine = options.cut(mesh).unwrap_or_else(|| mesh.clone());
         if fine.triangles.len() > mesh.triangles.len() && !output.json {
             output.remark(&format!("note: cut into {} triangles, so that patches bend", fine.triangles.len()));
         }
-        let options = SurfaceOptions { field: self.field(mesh, scene)?, patches, lapped, stripes };
         let surface = self.made(&fine, &options, output)?;
         Ok(Some((fine, surface)))
     }

@@ -11,6 +11,7 @@ use super::solve::SolveError;
 use super::stripes::rows::rows;
 use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
 use crate::mesh::Mesh;
+use crate::params::{Mapping, Method, RenderParams};
 
 /// What is made of a surface.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
@@ -23,6 +24,68 @@ pub struct SurfaceOptions {
     pub lapped: Option<LappedOptions>,
     /// Stripes, for the method of that name.
     pub stripes: Option<StripeOptions>,
+}
+
+/// What of a surface ways to draw need beside its field; nothing at first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SurfaceNeeds {
+    /// Patches, that strokes lie on or are cut by.
+    pub patches: bool,
+    /// Lapped patches.
+    pub lapped: bool,
+    /// Stripes.
+    pub stripes: bool,
+}
+
+impl SurfaceNeeds {
+    /// Those of one way to draw.
+    pub fn of(params: &RenderParams) -> Self {
+        let mapping = params.needed_mapping();
+        Self {
+            patches: mapping == Some(Mapping::Patches),
+            lapped: mapping == Some(Mapping::Lapped),
+            stripes: params.method == Method::Stripes,
+        }
+    }
+
+    /// Those of this and of another way together.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            patches: self.patches || other.patches,
+            lapped: self.lapped || other.lapped,
+            stripes: self.stripes || other.stripes,
+        }
+    }
+
+    /// Options that give it: tiles and what patches follow are those of `params`. `None` where nothing is needed.
+    pub fn options(
+        self,
+        field: FieldOptions,
+        params: &RenderParams,
+        planar: bool,
+        lines_per_unit: f64,
+    ) -> Option<SurfaceOptions> {
+        let RenderParams { tiles_per_unit, follow, .. } = *params;
+        let patches = PatchOptions { tiles_per_unit, follow, planar, ..PatchOptions::default() };
+        let lapped = LappedOptions { tiles_per_unit, ..LappedOptions::default() };
+        let stripes = StripeOptions { lines_per_unit, ..StripeOptions::default() };
+        (self != Self::default()).then(|| SurfaceOptions {
+            field,
+            patches: self.patches.then_some(patches),
+            lapped: self.lapped.then_some(lapped),
+            stripes: self.stripes.then_some(stripes),
+        })
+    }
+}
+
+impl SurfaceOptions {
+    /// The mesh cut as fine as its patches need it; `None` where they need nothing of the kind.
+    pub fn cut(&self, mesh: &Mesh) -> Option<Mesh> {
+        let patches = self.patches.map(|patches| patches.longest_edge());
+        let lapped = self.lapped.map(|lapped| lapped.longest_edge());
+        let longest = patches.into_iter().chain(lapped).reduce(f64::min)?;
+        Some(mesh.subdivided(longest as f32))
+    }
 }
 
 /// Why there is no surface.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::mesh::Mesh;
 use crate::scene::{LightKind, Lights};
-use crate::surface::{FieldOptions, FieldSource, Guide, LappedOptions, PatchOptions, StripeOptions, SurfaceOptions};
+use crate::surface::{FieldOptions, FieldSource, Guide, StripeOptions, SurfaceNeeds, SurfaceOptions};
 use crate::{Mapping, Method, RenderParams};
 
 /// What strokes follow.
@@ -104,23 +104,8 @@ impl Look {
 
     /// What has to be made of the surface before it can be drawn; `None`: nothing. `world_from_mesh` is the identity.
     pub fn surface_options(&self, lights: &Lights) -> Option<SurfaceOptions> {
-        let params = &self.params;
-        let needed = params.needed_mapping();
-        let tiles_per_unit = params.tiles_per_unit;
-        let patches = (needed == Some(Mapping::Patches)).then(|| PatchOptions {
-            tiles_per_unit,
-            follow: params.follow,
-            planar: self.planar,
-            ..PatchOptions::default()
-        });
-        let lapped =
-            (needed == Some(Mapping::Lapped)).then(|| LappedOptions { tiles_per_unit, ..LappedOptions::default() });
-        let stripes = (params.method == Method::Stripes)
-            .then(|| StripeOptions { lines_per_unit: self.lines_per_unit, ..StripeOptions::default() });
-        if patches.is_none() && lapped.is_none() && stripes.is_none() {
-            return None;
-        }
-        Some(SurfaceOptions { field: self.field_options(lights), patches, lapped, stripes })
+        let field = self.field_options(lights);
+        SurfaceNeeds::of(&self.params).options(field, &self.params, self.planar, self.lines_per_unit)
     }
 
     /// Which way strokes run. `world_from_mesh` is the identity.

@@ -57,12 +57,7 @@ pub(super) fn surface_worker(wake: Wake) -> std::io::Result<SurfaceWorker> {
 
 /// Makes a surface.
 pub(super) fn make_surface(request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
-    let SurfaceOptions { patches, lapped, .. } = &request.options;
-    let edges = [patches.map(|patches| patches.longest_edge()), lapped.map(|lapped| lapped.longest_edge())];
-    let mesh = match edges.into_iter().flatten().reduce(f64::min) {
-        Some(longest) => Arc::new(request.mesh.subdivided(longest as f32)),
-        None => Arc::clone(&request.mesh),
-    };
+    let mesh = request.options.cut(&request.mesh).map_or_else(|| Arc::clone(&request.mesh), Arc::new);
     let surface = Arc::new(Surface::new_with(&mesh, &request.options, job)?);
     Ok(MadeSurface { request, mesh, surface })
 }

@@ -7,7 +7,7 @@ use tam_viewer::gpu::{Gpu, GpuMesh, PixelFormat, Target};
 use tam_viewer::measure::Strokes;
 use tam_viewer::mesh::Mesh;
 use tam_viewer::surface::{Surface, SurfaceOptions};
-use tam_viewer::{Follow, Form, Mapping, Method, Renderer, Scene};
+use tam_viewer::{Follow, Form, Mapping, Method, RenderParams, Renderer, Scene};
 
 use super::super::stage::{place_camera, pose};
 use super::super::{report, source};
@@ -120,13 +120,9 @@ fn surface(
     output: &Output,
 ) -> Result<(Mesh, Surface), Failure> {
     let view = &args.view;
-    let mut mappings = if methods.iter().any(|method| method.takes_mapping()) { mappings.to_vec() } else { Vec::new() };
-    if methods.contains(&Method::Stripes) && !mappings.contains(&Mapping::Patches) {
-        // The strokes of varied stripes lie on them.
-        mappings.push(Mapping::Patches);
-    }
-    let params = view.params(Method::Phong, &mesh, args.size);
-    if let Some(made) = view.surface.build(&mesh, scene, methods, &mappings, &params, output)? {
+    // Varied stripes are charted beside plain ones.
+    let params = RenderParams { variety: 1.0, ..view.params(Method::Phong, &mesh, args.size) };
+    if let Some(made) = view.surface.build(&mesh, scene, methods, mappings, &params, output)? {
         return Ok(made);
     }
     let options = SurfaceOptions { field: view.surface.field(&mesh, scene)?, ..SurfaceOptions::default() };
