@@ -2,7 +2,7 @@
 //! `face-frame` against each other; strokes that follow the form; and what loading and uploading take.
 //!
 //! `cargo bench -p tam-viewer --bench frame -- [--quick] [--triangles N] [--csv FILE]`. Rows are appended to the file as
-//! they are measured, with the adapter's name. Times are of the device where it has timestamps.
+//! they are measured, with the adapter's name, median and quartiles. Times are of the device where it has timestamps.
 #![allow(missing_docs, clippy::print_stdout)]
 
 use std::fmt::Write as _;
@@ -96,9 +96,18 @@ fn frame(renderer: &mut Renderer, setting: &mut Setting<'_>, way: &Way, number: 
     Ok(time.as_secs_f64() * 1e3)
 }
 
-fn median(mut times: Vec<f64>) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+/// Median and quartiles, in milliseconds.
+struct Times {
+    median: f64,
+    quartiles: [f64; 2],
+}
+
+impl Times {
+    fn of(mut times: Vec<f64>) -> Self {
+        times.sort_by(f64::total_cmp);
+        let at = |quarter: usize| times[(times.len() - 1) * quarter / 4];
+        Self { median: at(2), quartiles: [at(1), at(3)] }
+    }
 }
 
 fn load(renderer: &Renderer, triangles: usize) -> Result<(Mesh, GpuMesh), Error> {
@@ -186,15 +195,15 @@ fn main() -> Result<(), Error> {
                     }
                 }
                 let mut table = String::new();
-                let medians: Vec<f64> = times.into_iter().map(median).collect();
+                let times: Vec<Times> = times.into_iter().map(Times::of).collect();
                 println!("  {size}x{size}, {rounds} frames each");
-                for (way, time) in ways.iter().zip(&medians) {
-                    let ratio = time / medians[0];
-                    println!("    {:32} {time:8.2} ms  {ratio:5.2} x phong", way.name);
+                for (way, Times { median, quartiles: [low, high] }) in ways.iter().zip(&times) {
+                    let ratio = median / times[0].median;
+                    println!("    {:32} {median:8.2} ms  {ratio:5.2} x phong", way.name);
                     let form = if flat_face { "flat" } else { "index" };
                     writeln!(
                         table,
-                        "\"{}\",{},{},{size},\"{}\",{form},{time:.3},{ratio:.3},{rounds}",
+                        "\"{}\",{},{},{size},\"{}\",{form},{median:.4},{ratio:.3},{rounds},{low:.4},{high:.4}",
                         adapter.name,
                         adapter.kind,
                         mesh.triangles.len(),
@@ -210,12 +219,18 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// Appends rows, below a heading where the file is new.
+const HEADING: &str =
+    "adapter,kind,triangles,side_px,method,face_id,median_ms,ratio_to_phong,frames,quartile_1_ms,quartile_3_ms";
+
+/// Appends rows, below a heading where the file is new, to a file of the same columns.
 fn append(path: &str, table: &str) -> Result<(), Error> {
-    let fresh = !std::path::Path::new(path).exists();
+    let text = if std::path::Path::new(path).exists() { std::fs::read_to_string(path)? } else { String::new() };
+    if text.lines().next().is_some_and(|heading| heading != HEADING) {
+        return Err(format!("{path} has other columns: name a new file").into());
+    }
     let mut file = std::fs::OpenOptions::new().create(true).append(true).open(path)?;
-    if fresh {
-        writeln!(file, "adapter,kind,triangles,side_px,method,face_id,median_ms,ratio_to_phong,frames")?;
+    if text.is_empty() {
+        writeln!(file, "{HEADING}")?;
     }
     Ok(file.write_all(table.as_bytes())?)
 }
