@@ -11,7 +11,7 @@ use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
 use tam_viewer::surface::Patches;
-use tam_viewer::{DebugView, FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
+use tam_viewer::{Blend, DebugView, FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
 
 const SIDE: u32 = 96;
 
@@ -78,8 +78,8 @@ fn options(params: &RenderParams) -> Options {
             Mapping::Lapped => cpu::Mapping::Lapped,
         },
         blend: match params.blend {
-            tam_viewer::Blend::Union => cpu::Blend::Union,
-            tam_viewer::Blend::Linear => cpu::Blend::Linear,
+            Blend::Union => cpu::Blend::Union,
+            Blend::Linear => cpu::Blend::Linear,
         },
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
         follow: cpu::Follow::Surface,
@@ -268,6 +268,28 @@ fn a_flat_square_is_drawn_as_the_twins_draw_it() {
 fn a_sphere_is_drawn_as_the_twins_draw_it() {
     let failures = failures(Sample::Sphere, 800);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn patterns_that_fade_into_each_other_are_drawn_as_the_twins_draw_them() {
+    let mesh = prepare(Sample::Sphere.build(800)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    for method in Method::ALL.into_iter().filter(|method| method.takes_mapping()) {
+        for mapping in [Mapping::Triplanar, Mapping::Patches] {
+            let joined = RenderParams { method, mapping, silhouettes: None, ..RenderParams::default() };
+            let params = RenderParams { blend: Blend::Linear, ..joined };
+            let what = format!("{} {mapping:?}", method.name());
+            let difference = compare(&mut stage, &scene(), &params, &mesh);
+            let (share, mean) = bounds(&params);
+            let close = difference.share <= share && difference.mean <= mean && difference.outline <= 0.001;
+            assert!(close, "{what}: {difference:?}");
+            let [faded, joined] = [params, joined].map(|params| stage.draw(&scene(), &params, &mesh));
+            let differing = faded.iter().zip(&joined).filter(|(a, b)| (a[0] - b[0]).abs() > 3.0 / 255.0).count();
+            // Six columns on three planes always fade; elsewhere a union is another picture.
+            let fades = method == Method::SixWay && mapping == Mapping::Triplanar;
+            assert!(fades || differing as f64 > 0.1 * f64::from(SIDE * SIDE), "{what}: {differing}");
+        }
+    }
 }
 
 #[test]
