@@ -161,6 +161,10 @@ fn main() -> Result<(), Error> {
         .and_then(|i| args.get(i + 1))
         .map(|n| n.parse())
         .transpose()?;
+    // A file of other columns is told before anything is measured.
+    if let Some(path) = csv {
+        append(path, "")?;
+    }
     for flat_face in [false, true] {
         let mut renderer = Renderer::new(Gpu::open(&GpuOptions { flat_face, ..GpuOptions::default() })?);
         let adapter = renderer.gpu.adapter.clone();
