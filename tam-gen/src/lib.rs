@@ -23,6 +23,7 @@ pub mod map;
 pub mod measure;
 mod placement;
 pub mod preset;
+pub mod problems;
 pub mod raster;
 mod realise;
 mod rounding;

@@ -1,9 +1,9 @@
 //! What is wrong with a preset is said with its place, its cause and the way out.
 
 use tam_gen::Preset;
-use tam_gen::preset::{PresetError, Problem};
+use tam_gen::problems::{FileError, Problem};
 
-fn refused(source: &str) -> PresetError {
+fn refused(source: &str) -> FileError {
     match Preset::from_toml(source, "my.toml") {
         Ok(preset) => panic!("taken:\n{source}\nas {preset:?}"),
         Err(error) => error,

@@ -11,6 +11,7 @@ pub mod maps;
 pub mod params;
 pub mod ranges;
 pub mod scene;
+pub mod scene_file;
 
 pub mod reference;
 

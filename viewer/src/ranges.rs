@@ -63,6 +63,8 @@ pub const TILES_PER_UNIT: Range = Range::new(0.01, 100.0, "tiles per unit");
 pub const SCALE: Range = Range::new(0.01, 100.0, "");
 /// Stripes per unit at their coarsest.
 pub const LINES_PER_UNIT: Range = Range::new(0.25, 64.0, "lines per unit");
+/// Triangles of a sample.
+pub const SAMPLE_TRIANGLES: Range = Range::new(2.0, 20_000_000.0, "triangles");
 /// How much the strokes of stripes differ.
 pub const VARIETY: Range = Range::new(0.0, 1.0, "");
 /// How far directions spread.

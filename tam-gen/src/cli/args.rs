@@ -2,9 +2,16 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use tam_gen::command::schema::SchemaArgs;
 use tam_gen::command::shell::{CompletionsArgs, ManArgs};
 use tam_gen::command::{Common, STYLES};
 use tam_gen::preset::{Overrides, PlacementMethod, Tones};
+
+const SCHEMA_EXAMPLES: &str = "\
+Examples:
+  tam-gen schema -o preset.schema.json     beside your presets, whose first line then says
+                                           #:schema ./preset.schema.json
+Editors with TOML support (Even Better TOML, taplo) complete and check presets by it.";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -42,7 +49,8 @@ pub(super) enum Command {
     /// List, show and start presets
     Presets(super::presets::PresetsArgs),
     /// Print the JSON schema of preset files
-    Schema(super::schema::SchemaArgs),
+    #[command(after_help = SCHEMA_EXAMPLES)]
+    Schema(SchemaArgs),
     /// Regenerate a map whenever its preset is saved
     Watch(super::watch::WatchArgs),
     /// Print completions for a shell

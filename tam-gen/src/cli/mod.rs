@@ -5,7 +5,6 @@ mod chart;
 mod check;
 mod generate;
 mod presets;
-mod schema;
 mod sheet;
 mod shell;
 mod summary;
@@ -13,9 +12,11 @@ mod template;
 mod watch;
 
 use std::process::ExitCode;
+use tam_gen::command::schema::schema;
 use tam_gen::command::{Failure, Output, in_pool, refused_arguments, start_log};
 
 use clap::Parser;
+use tam_gen::preset;
 
 use args::{Cli, Command};
 
@@ -61,7 +62,7 @@ fn dispatch(command: &Command, output: &Output) -> Result<Outcome, Failure> {
         Command::Sheet(args) => sheet::run(args, output),
         Command::Chart(args) => chart::run(args, output),
         Command::Presets(args) => presets::run(args, output),
-        Command::Schema(args) => schema::run(args, output),
+        Command::Schema(args) => schema(&preset::schema_text(), args, output).map(|()| Outcome::Holds),
         Command::Watch(args) => watch::run(args, output),
         Command::Completions(args) => shell::completions(args, output),
         Command::Man(args) => shell::man(args, output),

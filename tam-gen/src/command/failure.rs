@@ -5,15 +5,20 @@ use std::path::Path;
 use crate::GenerateError;
 use crate::export::ExportError;
 use crate::import::ImportError;
-use crate::preset::PresetError;
+use crate::problems::FileError;
 use clap::builder::styling::{AnsiColor, Effects, Style};
 use serde_json::{Value, json};
 
 /// Why a command could not do its work; nothing was written.
 #[derive(Debug)]
 pub enum Failure {
-    /// The preset, or an option in place of its own, makes no sense.
-    Preset(PresetError),
+    /// A file that the user wrote, or an option in place of what it says, makes no sense.
+    File {
+        /// What it should be, in one word for machines.
+        kind: &'static str,
+        /// All that is wrong.
+        error: FileError,
+    },
     /// No map can be made from the preset.
     Generate {
         /// Place in the preset.
@@ -66,7 +71,8 @@ impl Failure {
 
     fn kind(&self) -> &'static str {
         match self {
-            Self::Preset(_) | Self::Generate { .. } => "preset",
+            Self::File { kind, .. } => kind,
+            Self::Generate { .. } => "preset",
             Self::Source(_) => "source",
             Self::Usage { .. } => "usage",
             Self::Work { kind, .. } => kind,
@@ -77,7 +83,7 @@ impl Failure {
 
     fn message(&self) -> String {
         match self {
-            Self::Preset(error) => in_a_line(error),
+            Self::File { error, .. } => in_a_line(error),
             Self::Generate { at, problem } => format!("{at}: {problem}"),
             Self::Source(error) => error.to_string(),
             Self::Usage { message, .. } | Self::Work { message, .. } | Self::Output { message, .. } => message.clone(),
@@ -94,7 +100,7 @@ impl Failure {
 
     /// For people: one report with place, cause and way out.
     pub fn report(&self, coloured: bool) -> String {
-        if let Self::Preset(error) = self {
+        if let Self::File { error, .. } = self {
             return error.report(coloured);
         }
         let paint = |word: &str, colour: AnsiColor| {
@@ -115,11 +121,11 @@ impl Failure {
             error["help"] = help.into();
         }
         match self {
-            Self::Preset(preset) => {
-                if !preset.origin.is_empty() {
-                    error["file"] = preset.origin.as_str().into();
+            Self::File { error: found, .. } => {
+                if !found.origin.is_empty() {
+                    error["file"] = found.origin.as_str().into();
                 }
-                error["problems"] = json!(preset.problems);
+                error["problems"] = json!(found.problems);
             }
             Self::Generate { at, .. } => error["at"] = at.as_str().into(),
             _ => {}
@@ -129,8 +135,8 @@ impl Failure {
 }
 
 /// The first problem, and how many more there are.
-fn in_a_line(error: &PresetError) -> String {
-    let Some(first) = error.problems.first() else { return "the preset is not valid".to_owned() };
+fn in_a_line(error: &FileError) -> String {
+    let Some(first) = error.problems.first() else { return "the file is not valid".to_owned() };
     let mut line = first.message.clone();
     if !first.expected.is_empty() {
         line += &format!(": {}", first.expected);
@@ -142,9 +148,10 @@ fn in_a_line(error: &PresetError) -> String {
     }
 }
 
-impl From<PresetError> for Failure {
-    fn from(error: PresetError) -> Self {
-        Self::Preset(error)
+impl From<FileError> for Failure {
+    /// Most files that a user writes are presets.
+    fn from(error: FileError) -> Self {
+        Self::File { kind: "preset", error }
     }
 }
 

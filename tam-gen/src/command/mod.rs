@@ -9,6 +9,7 @@ pub mod files;
 pub mod interrupt;
 mod output;
 mod progress;
+pub mod schema;
 pub mod shell;
 pub mod source;
 pub mod words;

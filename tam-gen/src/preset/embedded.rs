@@ -1,6 +1,7 @@
 //! The presets that come with the tool.
 
-use super::{Preset, PresetError, place::nearest};
+use super::{Preset, place::nearest};
+use crate::problems::FileError;
 
 macro_rules! presets {
     ($($name:literal),+ $(,)?) => {
@@ -27,7 +28,7 @@ impl Preset {
     }
 
     /// The preset of the given name that comes with the tool; [`None`] if there is none.
-    pub fn named(name: &str) -> Option<Result<Preset, PresetError>> {
+    pub fn named(name: &str) -> Option<Result<Preset, FileError>> {
         let (name, source) = EMBEDDED.iter().find(|(known, _)| *known == name)?;
         Some(Self::from_toml(source, &format!("presets/{name}.toml")))
     }

@@ -5,7 +5,6 @@ mod options;
 mod overrides;
 mod parse;
 mod place;
-mod report;
 mod schema;
 mod structure;
 pub(crate) mod tip_source;
@@ -24,7 +23,6 @@ pub use options::{
 pub use overrides::Overrides;
 pub use parse::PRESET_BYTES_MAX;
 pub use place::{Place, Step, Violation, nearest};
-pub use report::{PresetError, Problem};
 pub use schema::{schema, schema_text};
 pub use tones::{MeasureName, ToneMeasure, Tones};
 

@@ -2,8 +2,8 @@
 
 use super::options::PlacementMethod;
 use super::place::{Place, Violation};
-use super::report::{PresetError, Problem};
 use super::{Preset, Range, Tones};
+use crate::problems::{FileError, Problem};
 
 /// What to replace in a preset; [`None`] leaves the preset's own. Errors name these as options of the command line.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -27,7 +27,7 @@ impl Preset {
     ///
     /// # Errors
     /// What no longer makes sense, in terms of the option that is to blame: `--size 300: a power of two from …`.
-    pub fn apply(&self, overrides: &Overrides) -> Result<Preset, PresetError> {
+    pub fn apply(&self, overrides: &Overrides) -> Result<Preset, FileError> {
         let mut preset = self.clone();
         let mut given = Vec::new();
         let map = Place::of(&["map"]);
@@ -38,7 +38,7 @@ impl Preset {
         if let Some(levels) = overrides.levels {
             let option = format!("--levels {levels}");
             preset.map.coarsest = coarsest_of(preset.map.size, levels)
-                .map_err(|problem| PresetError::new("", "", vec![problem.labelled(&option)]))?;
+                .map_err(|problem| FileError::new("", "", vec![problem.labelled(&option)]))?;
             given.push((map.key("coarsest"), option));
         }
         if let Some(tones) = &overrides.tones {
@@ -57,7 +57,7 @@ impl Preset {
             given.push((Place::of(&["placement", "effort"]), format!("--effort {effort}")));
         }
         let problems: Vec<Problem> = preset.validate().iter().map(|violation| in_terms_of(&given, violation)).collect();
-        if problems.is_empty() { Ok(preset) } else { Err(PresetError::new("", "", problems)) }
+        if problems.is_empty() { Ok(preset) } else { Err(FileError::new("", "", problems)) }
     }
 }
 

@@ -10,8 +10,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::place::{Place, Step, Violation};
-use super::report::{PROBLEMS_MAX, PresetError, Problem};
 use super::{FamilyOptions, Preset, SEED_MAX, TipOptions, structure, tip_source};
+use crate::problems::{FileError, PROBLEMS_MAX, Problem, syntax_problem};
 
 /// Largest preset file, in bytes. A tip's picture stays a file of its own, so presets are a few kilobytes.
 pub const PRESET_BYTES_MAX: u64 = 1 << 20;
@@ -24,7 +24,7 @@ impl Preset {
     ///
     /// # Errors
     /// Everything that is wrong with it: syntax, unknown keys, types, and all that [`Preset::validate`] finds.
-    pub fn from_toml(source: &str, origin: &str) -> Result<Self, PresetError> {
+    pub fn from_toml(source: &str, origin: &str) -> Result<Self, FileError> {
         read(source, origin, None)
     }
 
@@ -33,10 +33,10 @@ impl Preset {
     /// # Errors
     /// As [`Preset::from_toml`], and if the file cannot be read or is larger than [`PRESET_BYTES_MAX`], which is found
     /// out before reading it.
-    pub fn load(path: impl AsRef<Path>) -> Result<Self, PresetError> {
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let origin = path.display().to_string();
-        let source = read_bounded(path).map_err(|problem| PresetError::new(&origin, "", vec![*problem]))?;
+        let source = read_bounded(path).map_err(|problem| FileError::new(&origin, "", vec![*problem]))?;
         read(&source, &origin, Some(path.parent().unwrap_or(Path::new(""))))
     }
 
@@ -85,8 +85,8 @@ fn read_bounded(path: &Path) -> Result<String, Box<Problem>> {
 }
 
 /// Reads a preset; pictures of tips are looked for in `folder`, if there is one.
-fn read(source: &str, origin: &str, folder: Option<&Path>) -> Result<Preset, PresetError> {
-    let refuse = |problems: Vec<Problem>| Err(PresetError::new(origin, source, problems));
+fn read(source: &str, origin: &str, folder: Option<&Path>) -> Result<Preset, FileError> {
+    let refuse = |problems: Vec<Problem>| Err(FileError::new(origin, source, problems));
     if source.len() > TEXT_BYTES_MAX {
         return refuse(vec![Problem::general("", "the preset is too large to be one")]);
     }
@@ -134,14 +134,6 @@ fn read(source: &str, origin: &str, folder: Option<&Path>) -> Result<Preset, Pre
             .map(|violation| located(source, table.get_ref(), violation)),
     );
     if problems.is_empty() { Ok(preset) } else { refuse(problems) }
-}
-
-fn syntax_problem(source: &str, error: &toml::de::Error) -> Problem {
-    let problem = Problem::general("", error.message().replace('\n', ", "));
-    match error.span() {
-        Some(span) => problem.at_span(source, span),
-        None => problem,
-    }
 }
 
 fn embed_pictures(preset: &mut Preset, folder: &Path, violations: &mut Vec<Violation>) {

@@ -10,8 +10,8 @@ use toml::de::{DeTable, DeValue};
 use super::Range;
 use super::options::RANGES;
 use super::place::{Place, Step, nearest};
-use super::report::{PROBLEMS_MAX, Problem};
 use super::schema::schema;
+use crate::problems::{PROBLEMS_MAX, Problem};
 
 /// Reports whatever in the table no preset can hold, and takes it out.
 pub(super) fn check(source: &str, table: &mut DeTable<'_>) -> Vec<Problem> {

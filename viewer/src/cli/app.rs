@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use tam_gen::command::Failure;
 use tam_viewer::app::{Options, WindowOptions, default_session, run as open};
 
-use super::parse;
+use tam_viewer::scene_file::value;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,7 +22,7 @@ pub(super) struct AppArgs {
     /// Presets, meshes and guides to open
     files: Vec<PathBuf>,
     /// Size of the window in points [default: as it was left]
-    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    #[arg(long, value_name = "WxH", value_parser = value::size)]
     window: Option<[u32; 2]>,
     /// Keep the session in this file [default: in the user's folder for data]
     #[arg(long, value_name = "FILE", conflicts_with = "fresh")]

@@ -1,6 +1,7 @@
 //! The arguments of the command line, and their help.
 
 use clap::{Parser, Subcommand};
+use tam_gen::command::schema::SchemaArgs;
 use tam_gen::command::shell::{CompletionsArgs, ManArgs};
 use tam_gen::command::{Common, STYLES};
 
@@ -25,6 +26,26 @@ Examples:
   tam-viewer completions bash > ~/.local/share/bash-completion/completions/tam-viewer
   tam-viewer completions zsh > ~/.zfunc/_tam-viewer
   tam-viewer completions fish > ~/.config/fish/completions/tam-viewer.fish";
+
+const SCHEMA_EXAMPLES: &str = "\
+Examples:
+  tam-viewer schema -o scene.schema.json     beside your scenes, whose first line then says
+                                             #:schema ./scene.schema.json
+Editors with TOML support (Even Better TOML, taplo) complete and check scenes by it.
+
+A scene file says in the words of the options what is drawn, what all objects have in common first:
+  map = \"pencil\"
+  camera = [40, 10]
+  light = [\"-30,60\", \"at:2,1,2,0.5\"]
+  [[object]]
+  mesh = \"chair\"
+  [object.part.seat]
+  method = \"stripes\"
+  [[object]]
+  name = \"pot\"
+  mesh = \"teapot\"
+  place = [0, 0.6, 0.1, 40, 0.4]
+Files are named as seen from the scene file.";
 
 const MAN_EXAMPLES: &str = "\
 Examples:
@@ -62,6 +83,9 @@ pub(super) enum Command {
     Turntable(Box<super::turntable::TurntableArgs>),
     /// Draw the direction field and the patches of a mesh, to inspect them
     Field(Box<super::field::FieldArgs>),
+    /// Print the JSON schema of scene files
+    #[command(after_help = SCHEMA_EXAMPLES)]
+    Schema(SchemaArgs),
     /// List the sample meshes, or draw them all
     Meshes(super::meshes::MeshesArgs),
     /// List the graphics adapters

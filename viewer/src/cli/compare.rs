@@ -6,13 +6,12 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 use tam_gen::command::words::{duration, milliseconds, path_text};
 use tam_gen::command::{Failure, Output, Progress, files, interrupt};
-use tam_viewer::mesh::Mesh;
+use tam_viewer::scene_file::value;
 use tam_viewer::sheet::{Labelled, SheetText, labelled_sheet};
 use tam_viewer::{Form, FrameTimer, Mapping, Method, RenderParams};
 
-use super::parse;
 use super::render::{check_png, samples};
-use super::stage::{Stage, params_json};
+use super::stage::{Stage, Ways, params_json, way_on};
 use super::view::{ViewArgs, method};
 
 /// Rounds before those that count: pipelines are made, maps uploaded, clocks raised.
@@ -43,7 +42,7 @@ pub(super) struct CompareArgs {
     #[command(flatten)]
     view: ViewArgs,
     /// Sides of each picture in pixels
-    #[arg(long, value_name = "WxH", value_parser = parse::size, default_value = "480x480", allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", value_parser = value::size, default_value = "480x480", allow_hyphen_values = true)]
     size: [u32; 2],
     /// Samples per pixel, 1 or 4
     #[arg(long, value_name = "N", value_parser = samples, default_value = "4", allow_hyphen_values = true)]
@@ -68,12 +67,12 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     files::check_free(&args.out, args.force)?;
     let mut methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
     let mappings = (!args.view.mapping_given()).then_some(&MAPPINGS[..]);
-    let mut stage = Stage::open(&args.view, &methods, mappings, args.size, args.samples, true, output)?;
+    let mut stage = Stage::open(&args.view, Ways::Each(&methods, mappings), args.size, args.samples, true, output)?;
     if args.methods.is_empty() && stage.maps.iter().any(|map| map.source.stroke_map.is_none()) {
         methods.retain(|method| *method != Method::StrokeMap);
         output.remark("note: stroke-map is left out: the map has no stroke map");
     }
-    let variants = variants(args, &methods, &stage.loaded.mesh);
+    let variants = variants(args, &methods, &stage);
     let times = measure(&mut stage, &variants, args.rounds, output)?;
     let phong = median(&times[0]);
 
@@ -87,7 +86,7 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
             continue;
         }
         interrupt::stop_if_happened()?;
-        stage.draw(&scene, params, &timer)?;
+        stage.draw(&scene, |own, mesh| as_in(own, params, mesh), &timer)?;
         let time = median(times);
         let ratio = time.as_secs_f64() / phong.as_secs_f64().max(1e-9);
         let remark = format!("{ratio:.2}x phong, {}", short(time));
@@ -129,12 +128,13 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
 }
 
 /// What is drawn: phong first, then each method with each mapping it takes, in each form wanted.
-fn variants(args: &CompareArgs, methods: &[Method], mesh: &Mesh) -> Vec<RenderParams> {
-    let given = args.view.params(Method::Phong, mesh, args.size);
+fn variants(args: &CompareArgs, methods: &[Method], stage: &Stage) -> Vec<RenderParams> {
+    let given = RenderParams { method: Method::Phong, ..stage.drawn[0].params };
+    let has_uv = stage.uploads.iter().any(|upload| !upload.mesh.uvs.is_empty());
     let mappings: Vec<Mapping> = if args.view.mapping_given() {
         vec![given.mapping]
     } else {
-        MAPPINGS.into_iter().filter(|mapping| *mapping != Mapping::Uv || !mesh.uvs.is_empty()).collect()
+        MAPPINGS.into_iter().filter(|mapping| *mapping != Mapping::Uv || has_uv).collect()
     };
     let mut variants = vec![given];
     let forms = if args.forms { vec![Form::Hardened, Form::Literal] } else { vec![given.form] };
@@ -149,6 +149,12 @@ fn variants(args: &CompareArgs, methods: &[Method], mesh: &Mesh) -> Vec<RenderPa
         }
     }
     variants
+}
+
+/// An object's look in the method, mapping and form of a variant.
+fn as_in(own: &RenderParams, variant: &RenderParams, mesh: &tam_viewer::mesh::Mesh) -> RenderParams {
+    let RenderParams { method, mapping, form, .. } = *variant;
+    RenderParams { form, ..way_on(own, method, mapping, mesh) }
 }
 
 /// Times of each variant: all are drawn in turn, round by round, so that whatever slows the device slows them all.
@@ -166,7 +172,7 @@ fn measure(
         progress.set(round as f32 / (WARM_UP + rounds) as f32);
         for (params, times) in variants.iter().zip(&mut times) {
             interrupt::stop_if_happened()?;
-            let time = stage.draw(&scene, params, &timer)?;
+            let time = stage.draw(&scene, |own, mesh| as_in(own, params, mesh), &timer)?;
             if round >= WARM_UP {
                 times.push(time);
             }
@@ -202,7 +208,6 @@ fn title(params: &RenderParams, with_form: bool) -> String {
 }
 
 fn text(args: &CompareArgs, stage: &Stage) -> SheetText {
-    let mesh = &stage.loaded.mesh;
     let gpu = &stage.renderer.gpu;
     let mut foot = format!(
         "Cost of a frame, median of {} rounds in which all are drawn in turn, and its ratio to phong. {} x {} px, {} \
@@ -213,8 +218,8 @@ fn text(args: &CompareArgs, stage: &Stage) -> SheetText {
         foot += " The adapter computes on the processor: ratios on a graphics card differ.";
     }
     SheetText {
-        title: format!("{} in {}", mesh.name, stage.maps[0].source.name),
-        description: format!("{} triangles on {}", mesh.triangles.len(), gpu.adapter),
+        title: format!("{} in {}", stage.objects.name(), stage.maps[0].source.name),
+        description: format!("{} triangles on {}", stage.triangles(), gpu.adapter),
         foot,
     }
 }

@@ -8,40 +8,26 @@ use tam_gen::command::words::{counted, duration, milliseconds, path_text};
 use tam_gen::command::{Failure, Output, files, interrupt};
 use tam_viewer::inspect::Inspection;
 use tam_viewer::sheet::{Labelled, SheetText, labelled_sheet};
-use tam_viewer::{Light, Mapping, Method, RenderParams, Scene, ranges};
+use tam_viewer::{Mapping, Method, RenderParams};
 
-use super::parse::{self, Orbit};
 use super::render::check_png;
-use super::stage::frame_mesh;
-use super::surface::SurfaceArgs;
-use super::{report, source};
+use super::report;
+use super::subject::Subject;
+use super::surface::{Wanted, needs_of};
+use super::view::ViewArgs;
 
 const EXAMPLES: &str = "\
 Examples:
   tam-viewer field --mesh head --out head-field.png
+  tam-viewer field --scene room.toml --out room.png
   tam-viewer field --mesh hand --field guides:strokes.json --out hand.png
   tam-viewer field --mesh ./statue.glb --field light --light -40,50 --out statue.png";
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct FieldArgs {
-    /// A sample (see `tam-viewer meshes`), or an OBJ, glTF, GLB, PLY or STL file
-    #[arg(long, value_name = "NAME|FILE", default_value = "head")]
-    mesh: PathBuf,
-    /// Triangles of a sample, about [default: where it looks right]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=20_000_000))]
-    triangles: Option<u32>,
     #[command(flatten)]
-    surface: SurfaceArgs,
-    /// Repeats of the tile per unit, for which patches are made [default: 1.5]
-    #[arg(long, value_name = "N", value_parser = parse::in_range(ranges::TILES_PER_UNIT), allow_hyphen_values = true)]
-    tiles: Option<f64>,
-    /// Azimuth and elevation in degrees, and the distance [default: 30,18 and all in the picture]
-    #[arg(long, value_name = "AZ,EL[,DIST]", value_parser = parse::orbit, allow_hyphen_values = true)]
-    camera: Option<Orbit>,
-    /// A light, for fields that follow it: AZ,EL from far, or at:X,Y,Z
-    #[arg(long, value_name = "LIGHT", value_parser = parse::light, allow_hyphen_values = true)]
-    light: Option<Light>,
+    view: ViewArgs,
     /// Side of each of the two pictures in pixels
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=4096), default_value = "900")]
     side: u32,
@@ -58,23 +44,14 @@ pub(super) fn run(args: &FieldArgs, output: &Output) -> Result<(), Failure> {
     check_png(&args.out)?;
     files::check_free(&args.out, args.force)?;
     interrupt::catch();
-    let mesh = source::mesh(&args.mesh, args.triangles)?.mesh;
-    let mut scene = Scene::of(&mesh);
-    if let Some(light) = args.light {
-        scene.lights.lights = vec![light];
-    }
+    let subject = Subject::open(&args.view, output)?;
     let size = [args.side; 2];
-    if let Some(Orbit { azimuth_deg, elevation_deg, .. }) = args.camera {
-        (scene.camera.azimuth_deg, scene.camera.elevation_deg) = (azimuth_deg, elevation_deg);
-    }
-    match args.camera.and_then(|orbit| orbit.distance) {
-        Some(distance) => scene.camera.distance = distance,
-        None => frame_mesh(&mut scene, &mesh.positions, size),
-    }
-    let default = RenderParams::default();
-    let params = RenderParams { tiles_per_unit: args.tiles.unwrap_or(default.tiles_per_unit), ..default };
+    let scene = subject.scene(None, size);
+    let params = RenderParams { mapping: Mapping::Patches, ..subject.params(&args.view, Method::FineTone, size) };
     let making = Instant::now();
-    let built = args.surface.build(&mesh, &scene, &[Method::FineTone], &[Mapping::Patches], &params, output)?;
+    let (mesh, needs) = (&subject.mesh, needs_of([params])?);
+    let wanted = Wanted { mesh, needs, field: subject.field()?, params, look: &subject.look };
+    let built = args.view.surface.build(wanted, output)?;
     let Some((fine, surface)) = built else { return Ok(()) };
     let made = making.elapsed();
     interrupt::stop_if_happened()?;
@@ -97,7 +74,7 @@ pub(super) fn run(args: &FieldArgs, output: &Output) -> Result<(), Failure> {
         row.push(labelled(inspection.patches(patches), "patches", remark));
     }
     let text = SheetText {
-        title: mesh.name.clone(),
+        title: subject.mesh.name.clone(),
         description: format!(
             "{}, field and patches made in {}",
             counted(fine.triangles.len(), "triangle"),
@@ -118,7 +95,7 @@ pub(super) fn run(args: &FieldArgs, output: &Output) -> Result<(), Failure> {
     ))?;
     output.object(&json!({
         "path": path_text(&args.out),
-        "mesh": mesh.name,
+        "mesh": subject.mesh.name,
         "triangles": fine.triangles.len(),
         "nodes": surface.graph.len(),
         "singularities": { "plus": plus, "minus": minus },

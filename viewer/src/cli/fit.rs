@@ -15,11 +15,13 @@ use tam_viewer::gpu::{Gpu, GpuMesh, PixelFormat, Target};
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::Mesh;
 use tam_viewer::ranges::{self, Range};
-use tam_viewer::{Follow, FrameTimer, Mapping, Method, RenderParams, Renderer, Scene};
+use tam_viewer::scene_file::value;
+use tam_viewer::{FrameTimer, Mapping, Method, RenderParams, Renderer, Scene};
 
-use super::stage::{place_camera, pose};
+use super::subject;
+use super::surface::{Wanted, needs_of};
 use super::view::{ViewArgs, mapping, method};
-use super::{parse, report, source};
+use super::{report, source};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -55,10 +57,10 @@ pub(super) struct FitArgs {
     #[arg(long, value_name = "FROM:TO", value_parser = range(ranges::FIT_TURN_DEG), default_value = "-30:30", allow_hyphen_values = true, help_heading = "What is tried")]
     light_range: [f64; 2],
     /// Greatest error of tone in any view, in linear ink
-    #[arg(long, value_name = "ERROR", value_parser = parse::in_range(ranges::FIT_ERROR), default_value = "0.02")]
+    #[arg(long, value_name = "ERROR", value_parser = value::in_range(ranges::FIT_ERROR), default_value = "0.02")]
     error: f64,
     /// Sides of the pictures
-    #[arg(long, value_name = "WxH", value_parser = parse::size, default_value = "384x384", allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", value_parser = value::size, default_value = "384x384", allow_hyphen_values = true)]
     size: [u32; 2],
     /// Pairs of frames that are timed, of which the median counts
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(5..=1000), default_value = "7")]
@@ -73,7 +75,7 @@ pub(super) struct FitArgs {
 
 /// Two numbers in order, with a colon between them.
 fn range(allowed: Range) -> impl Fn(&str) -> Result<[f64; 2], String> + Clone + Send + Sync + 'static {
-    let number = parse::in_range(allowed);
+    let number = value::in_range(allowed);
     move |text| {
         let (from, to) = text.split_once(':').ok_or_else(|| format!("{text:?}: two numbers are expected, like 1:2"))?;
         let range = [number(from)?, number(to)?];
@@ -132,15 +134,10 @@ pub(super) fn run(args: &FitArgs, output: &Output) -> Result<(), Failure> {
 impl Subject {
     fn open(args: &FitArgs, output: &Output) -> Result<Self, Failure> {
         let view = &args.view;
-        if view.surface.follow() == Follow::Light || view.object.iter().any(|object| object.map.is_some()) {
-            return Err(Failure::usage(
-                "one map that lies still on the surface is fitted",
-                "leave out --follow light and maps of single objects",
-            ));
-        }
-        let mut mesh = source::mesh(&view.mesh, view.triangles)?.mesh;
-        pose(&mut mesh, view)?;
-        let mappings = if args.mappings.is_empty() { vec![view.mapping(&mesh)] } else { args.mappings.clone() };
+        let given = subject::Subject::open(view, output)?;
+        given.check_still("one map that lies still on the surface is fitted")?;
+        let mut mesh = given.mesh.clone();
+        let mappings = if args.mappings.is_empty() { vec![given.mapping()] } else { args.mappings.clone() };
         if mappings.contains(&Mapping::Uv) && mesh.uvs.is_empty() {
             return Err(Failure::usage(format!("the mesh `{}` has no uv", mesh.name), "the other mappings need none"));
         }
@@ -153,29 +150,27 @@ impl Subject {
         }
         let renderer = Renderer::new(Gpu::open(&view.adapter.options()).map_err(report::gpu)?);
         let target = renderer.target(args.size, 1, PixelFormat::Linear16).map_err(report::gpu)?;
-        let map = source::map(&view.map, &[], interrupt::flag(), output)?;
+        let map = source::map(given.map(), &[], interrupt::flag(), output)?;
         let (name, colours) = (map.name.clone(), source::colours(&map));
         let preset = map.preset.ok_or_else(|| {
             Failure::usage("the map has no preset, so that no smaller one can be made", "give --map a preset")
         })?;
-        let mut scene = view.scene(&mesh, colours, &vec![None; view.object.len()])?;
-        place_camera(&mut scene, view, &mesh.positions, args.size);
-        let plain = |method, mapping, mesh: &Mesh| RenderParams {
-            mapping,
-            silhouettes: None,
-            ..view.params(method, mesh, args.size)
-        };
-        let full = plain(args.method, view.mapping(&mesh), &mesh);
+        let scene = given.scene(colours, args.size);
+        let plain =
+            |method, mapping| RenderParams { mapping, silhouettes: None, ..given.params(view, method, args.size) };
+        let full = plain(args.method, given.mapping());
         let mut ways: Vec<RenderParams> = Vec::new();
         for method in &methods {
             let count = if method.takes_mapping() { mappings.len() } else { 1 };
-            ways.extend(mappings[..count].iter().map(|mapping| plain(*method, *mapping, &mesh)));
+            ways.extend(mappings[..count].iter().map(|mapping| plain(*method, *mapping)));
         }
         let mut needed = methods;
         needed.push(args.method);
         let mut laid = mappings;
         laid.push(full.mapping);
-        let built = view.surface.build(&mesh, &scene, &needed, &laid, &full, output)?;
+        let needs = needs_of(given.ways(&full, &needed, &laid))?;
+        let wanted = Wanted { mesh: &mesh, needs, field: given.field()?, params: full, look: &given.look };
+        let built = view.surface.build(wanted, output)?;
         let mut gpu_mesh = renderer.mesh(built.as_ref().map_or(&mesh, |(cut, _)| cut)).map_err(report::gpu)?;
         if let Some((cut, surface)) = built {
             renderer.attach(&mut gpu_mesh, &surface).map_err(report::gpu)?;

@@ -8,11 +8,12 @@ use tam_gen::command::{Failure, Output, Progress, files, interrupt};
 use tam_viewer::gpu::{Gpu, PixelFormat};
 use tam_viewer::mesh::prepare;
 use tam_viewer::mesh::sample::Sample;
+use tam_viewer::scene_file;
 use tam_viewer::sheet::{Labelled, SheetText, labelled_sheet};
 use tam_viewer::{Mapping, Method, RenderParams, Renderer, Scene, Silhouettes};
 
 use super::render::check_png;
-use super::stage::{frame_mesh, with_colours};
+use super::stage::place_camera;
 use super::view::{AdapterArgs, line_width_px, method};
 use super::{report, source};
 
@@ -96,8 +97,12 @@ fn sheet(args: &MeshesArgs, output: &Output) -> Result<image::RgbImage, Failure>
         progress.set(k as f32 / Sample::ALL.len() as f32);
         interrupt::stop_if_happened()?;
         let mesh = prepare(sample.build(sample.default_triangles())).map_err(report::mesh)?.mesh;
-        let mut scene = with_colours(Scene::of(&mesh), colours);
-        frame_mesh(&mut scene, &mesh.positions, size);
+        let mut scene = Scene::of(&mesh);
+        if let Some((paper, ink)) = colours {
+            (scene.paper, scene.ink) = (paper, ink);
+        }
+        let points: Vec<_> = mesh.positions.iter().map(|position| position.as_dvec3()).collect();
+        place_camera(&mut scene.camera, &scene_file::Camera::default(), &points, size);
         let params = RenderParams {
             method: args.method,
             mapping: Mapping::of(&mesh),

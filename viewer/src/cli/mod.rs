@@ -10,12 +10,13 @@ mod field;
 mod fit;
 mod meshes;
 mod object;
-mod parse;
+mod objects;
 mod render;
 mod report;
 mod source;
 mod stability;
 mod stage;
+mod subject;
 mod surface;
 mod turntable;
 mod view;
@@ -23,9 +24,11 @@ mod view;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
+use tam_gen::command::schema::schema;
 use tam_gen::command::{Failure, Output, in_pool, refused_arguments, shell, start_log};
 
 use args::{Cli, Command};
+use tam_viewer::scene_file;
 
 /// Runs the command that the process was started with.
 pub(crate) fn run() -> ExitCode {
@@ -72,6 +75,7 @@ fn dispatch(command: &Command, output: &Output) -> Result<ExitCode, Failure> {
         Command::Stability(args) => return stability::run(args, output),
         Command::Turntable(args) => turntable::run(args, output),
         Command::Field(args) => field::run(args, output),
+        Command::Schema(args) => schema(&scene_file::schema_text(), args, output),
         Command::Meshes(args) => meshes::run(args, output),
         Command::Adapters(args) => adapters::run(args, output),
         Command::Completions(args) => shell::completions(Cli::command(), args, output),

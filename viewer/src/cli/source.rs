@@ -11,14 +11,21 @@ use tam_viewer::Method;
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Loaded, load, prepare};
+use tam_viewer::scene_file::MeshEntry;
 
 use super::report;
 
+/// Whether a mesh of this name is made here.
+pub(super) fn is_sample(named: &Path) -> bool {
+    Sample::named(&named.to_string_lossy()).is_some()
+}
+
 /// The mesh of a sample's name or of a file.
-pub(super) fn mesh(named: &Path, triangles: Option<u32>) -> Result<Loaded, Failure> {
+pub(super) fn mesh(entry: &MeshEntry) -> Result<Loaded, Failure> {
+    let named = entry.named.as_path();
     let name = named.to_string_lossy();
     if let Some(sample) = Sample::named(&name) {
-        let triangles = triangles.map_or(sample.default_triangles(), |triangles| triangles as usize);
+        let triangles = entry.triangles.map_or(sample.default_triangles(), |triangles| triangles as usize);
         return prepare(sample.build(triangles)).map_err(report::mesh);
     }
     let is_path = named.components().count() != 1 || named.extension().is_some() || named.exists();
@@ -33,10 +40,10 @@ pub(super) fn mesh(named: &Path, triangles: Option<u32>) -> Result<Loaded, Failu
             ),
         ));
     }
-    if triangles.is_some() {
+    if entry.triangles.is_some() {
         return Err(Failure::usage(
-            "--triangles is for samples; a file has the triangles that it has",
-            "leave it out, or name a sample",
+            format!("triangles are for samples; {} has those that it has", named.display()),
+            "leave them out, or name a sample",
         ));
     }
     load(named).map_err(report::mesh)

@@ -1,36 +1,38 @@
-//! The options of surfaces that strokes follow.
+//! The options of surfaces that strokes follow, and the surfaces made by them.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use tam_gen::Job;
 use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::mesh::Mesh;
+use tam_viewer::scene::Lights;
+use tam_viewer::scene_file::{FieldEntry, LookEntry, value};
 use tam_viewer::surface::store::StoreError;
 use tam_viewer::surface::{
     FieldOptions, FieldSource, Guide, StripeOptions, Surface, SurfaceNeeds, SurfaceOptions, guides, store,
 };
-use tam_viewer::{Follow, LightKind, Mapping, Method, RenderParams, Scene, ranges};
+use tam_viewer::{Follow, LightKind, RenderParams, ranges};
 
-use super::{parse, report};
+use super::report;
 
 /// Which way strokes run on the surface.
 #[derive(Debug, Args)]
 pub(super) struct SurfaceArgs {
     /// What strokes follow with patches, lapped and stripes: curvature, lower (the direction in which the surface bends
-    /// least), light, uv, a direction X,Y,Z, or guides:FILE
-    #[arg(long, value_name = "SOURCE", value_parser = source, default_value = "curvature", allow_hyphen_values = true, help_heading = "How it is hatched")]
-    field: Source,
-    /// How far directions spread into places without one, as a multiple of the default
-    #[arg(long, value_name = "FACTOR", value_parser = parse::in_range(ranges::SMOOTHING), default_value = "1", allow_hyphen_values = true, help_heading = "How it is hatched")]
-    smoothing: f64,
+    /// least), light, uv, a direction X,Y,Z, or guides:FILE [default: curvature]
+    #[arg(long, value_name = "SOURCE", value_parser = value::field, allow_hyphen_values = true, help_heading = "How it is hatched")]
+    field: Option<FieldEntry>,
+    /// How far directions spread into places without one, as a multiple of the default [default: 1]
+    #[arg(long, value_name = "FACTOR", value_parser = value::in_range(ranges::SMOOTHING), allow_hyphen_values = true, help_heading = "How it is hatched")]
+    smoothing: Option<f64>,
     /// Stripes per unit at their coarsest, before any is doubled
-    #[arg(long, value_name = "N", value_parser = parse::in_range(ranges::LINES_PER_UNIT), allow_hyphen_values = true, help_heading = "How it is hatched")]
+    #[arg(long, value_name = "N", value_parser = value::in_range(ranges::LINES_PER_UNIT), allow_hyphen_values = true, help_heading = "How it is hatched")]
     stripes: Option<f64>,
-    /// Whether patches lie still along the field, or turn across the light
-    #[arg(long, value_enum, default_value = "surface", help_heading = "How it is hatched")]
-    follow: FollowArg,
+    /// Whether patches lie still along the field, or turn across the light [default: surface]
+    #[arg(long, value_enum, help_heading = "How it is hatched")]
+    follow: Option<FollowArg>,
     /// Lay patches by projection on planes: cheaper to make, true on flat ground only
     #[arg(long, help_heading = "How it is hatched")]
     planar: bool,
@@ -45,102 +47,87 @@ enum FollowArg {
     Light,
 }
 
-/// What `--field` names.
-#[derive(Clone, Debug, PartialEq)]
-enum Source {
-    Curvature,
-    Lower,
-    Light,
-    Uv,
-    Along(DVec3),
-    Guides(PathBuf),
+/// A surface that is wanted: its options are those of a look.
+pub(super) struct Wanted<'a> {
+    /// The mesh, still uncut.
+    pub(super) mesh: &'a Mesh,
+    /// What is drawn with it.
+    pub(super) needs: SurfaceNeeds,
+    /// The field.
+    pub(super) field: FieldOptions,
+    /// Tiles, and what patches follow.
+    pub(super) params: RenderParams,
+    /// The look.
+    pub(super) look: &'a LookEntry,
 }
 
-fn source(text: &str) -> Result<Source, String> {
-    match text {
-        "curvature" => return Ok(Source::Curvature),
-        "lower" => return Ok(Source::Lower),
-        "light" => return Ok(Source::Light),
-        "uv" => return Ok(Source::Uv),
-        _ => {}
-    }
-    if let Some(file) = text.strip_prefix("guides:") {
-        return if file.is_empty() { Err("guides: needs a file".into()) } else { Ok(Source::Guides(file.into())) };
-    }
-    if text.contains(',') {
-        let direction = parse::point(text)?;
-        return if direction.length() > 0.0 {
-            Ok(Source::Along(direction))
-        } else {
-            Err("0,0,0 is no direction".into())
-        };
-    }
-    Err("allowed: curvature, lower, light, uv, a direction X,Y,Z, or guides:FILE".into())
-}
-
-impl SurfaceArgs {
-    /// What patches follow.
-    pub(super) fn follow(&self) -> Follow {
-        match self.follow {
-            FollowArg::Surface => Follow::Surface,
-            FollowArg::Light => Follow::Light,
+/// The field that a look asks for, on a mesh that stands here.
+pub(super) fn field(
+    look: &LookEntry,
+    mesh: &Mesh,
+    lights: &Lights,
+    world_from_mesh: DMat4,
+) -> Result<FieldOptions, Failure> {
+    let mut guides: Vec<Guide> = Vec::new();
+    let source = match look.field.as_ref().unwrap_or(&FieldEntry::Curvature) {
+        FieldEntry::Curvature => FieldSource::Curvature,
+        FieldEntry::Lower => FieldSource::LowerCurvature,
+        FieldEntry::Light => FieldSource::Light(to_light(lights, world_from_mesh)),
+        FieldEntry::Uv if mesh.uvs.is_empty() => {
+            return Err(Failure::usage(
+                format!("--field uv: the mesh `{}` has no uv", mesh.name),
+                "the other fields need none",
+            ));
         }
-    }
+        FieldEntry::Uv => FieldSource::Uv,
+        FieldEntry::Along(direction) => FieldSource::Constant(*direction),
+        FieldEntry::Guides(path) => {
+            guides = guides::read(path).map_err(|error| report::guides(path, &error))?;
+            FieldSource::Curvature
+        }
+    };
+    Ok(FieldOptions { source, smoothing: look.smoothing.unwrap_or(1.0), guides })
+}
 
-    /// The field asked for.
-    pub(super) fn field(&self, mesh: &Mesh, scene: &Scene) -> Result<FieldOptions, Failure> {
-        let mut guides: Vec<Guide> = Vec::new();
-        let source = match &self.field {
-            Source::Curvature => FieldSource::Curvature,
-            Source::Lower => FieldSource::LowerCurvature,
-            Source::Light => FieldSource::Light(to_light(scene)),
-            Source::Uv if mesh.uvs.is_empty() => {
-                return Err(Failure::usage(
-                    format!("--field uv: the mesh `{}` has no uv", mesh.name),
-                    "the other fields need none",
-                ));
-            }
-            Source::Uv => FieldSource::Uv,
-            Source::Along(direction) => FieldSource::Constant(*direction),
-            Source::Guides(path) => {
-                guides = guides::read(path).map_err(|error| report::guides(path, &error))?;
-                FieldSource::Curvature
-            }
-        };
-        Ok(FieldOptions { source, smoothing: self.smoothing, guides })
-    }
-
-    /// The surface for some methods and mappings, and the mesh that it belongs to, cut where it is too coarse; `None`
-    /// where none needs one.
-    pub(super) fn build(
-        &self,
-        mesh: &Mesh,
-        scene: &Scene,
-        methods: &[Method],
-        mappings: &[Mapping],
-        params: &RenderParams,
-        output: &Output,
-    ) -> Result<Option<(Mesh, Surface)>, Failure> {
-        let own = [params.mapping];
-        let ways = methods.iter().flat_map(|method| {
-            let mappings = if method.takes_mapping() { mappings } else { &own };
-            mappings.iter().map(|mapping| RenderParams { method: *method, mapping: *mapping, ..*params })
-        });
-        let needs = ways.map(|way| SurfaceNeeds::of(&way)).fold(SurfaceNeeds::default(), SurfaceNeeds::and);
-        if needs.stripes && params.variety > 0.0 && self.follow() == Follow::Light {
+/// What ways to draw need together of a surface.
+pub(super) fn needs_of(ways: impl IntoIterator<Item = RenderParams>) -> Result<SurfaceNeeds, Failure> {
+    let mut needs = SurfaceNeeds::default();
+    for way in ways {
+        needs = needs.and(SurfaceNeeds::of(&way));
+        if needs.stripes && way.variety > 0.0 && way.follow == Follow::Light {
             return Err(Failure::usage(
                 "--follow light: the strokes of stripes cannot turn",
                 "leave it out, or draw plain lines with --variety 0",
             ));
         }
-        if needs == SurfaceNeeds::default() {
-            return Ok(None);
-        }
-        let lines_per_unit = self.stripes.unwrap_or(StripeOptions::default().lines_per_unit);
-        let params = RenderParams { follow: self.follow(), ..*params };
-        let Some(options) = needs.options(self.field(mesh, scene)?, &params, self.planar, lines_per_unit) else {
-            return Ok(None);
-        };
+    }
+    Ok(needs)
+}
+
+impl SurfaceArgs {
+    /// Says it of a look.
+    pub(super) fn say(&self, look: &mut LookEntry) {
+        look.field.clone_from(&self.field);
+        look.smoothing = self.smoothing;
+        look.stripes = self.stripes;
+        look.follow = self.follow.map(|follow| match follow {
+            FollowArg::Surface => Follow::Surface,
+            FollowArg::Light => Follow::Light,
+        });
+        look.planar = self.planar.then_some(true);
+    }
+
+    /// Whether surfaces are kept in a file, which takes one.
+    pub(super) fn is_kept(&self) -> bool {
+        self.surface.is_some()
+    }
+
+    /// A surface, and the mesh that it belongs to, cut where it is too coarse; `None` where none is needed.
+    pub(super) fn build(&self, wanted: Wanted<'_>, output: &Output) -> Result<Option<(Mesh, Surface)>, Failure> {
+        let Wanted { mesh, needs, field, params, look } = wanted;
+        let lines_per_unit = look.stripes.unwrap_or(StripeOptions::default().lines_per_unit);
+        let planar = look.planar.unwrap_or(false);
+        let Some(options) = needs.options(field, &params, planar, lines_per_unit) else { return Ok(None) };
         let fine = options.cut(mesh).unwrap_or_else(|| mesh.clone());
         if fine.triangles.len() > mesh.triangles.len() && !output.json {
             output.remark(&format!("note: cut into {} triangles, so that patches bend", fine.triangles.len()));
@@ -179,10 +166,10 @@ impl SurfaceArgs {
 }
 
 /// Towards the first light, in mesh space.
-fn to_light(scene: &Scene) -> DVec3 {
-    let to_light = scene.lights.lights.first().map_or(DVec3::Y, |light| match light.kind {
+fn to_light(lights: &Lights, world_from_mesh: DMat4) -> DVec3 {
+    let to_light = lights.lights.first().map_or(DVec3::Y, |light| match light.kind {
         LightKind::Directional { direction } => -direction,
         LightKind::Positional { position } | LightKind::Spot { position, .. } => position,
     });
-    scene.world_from_mesh.inverse().transform_vector3(to_light)
+    world_from_mesh.inverse().transform_vector3(to_light)
 }

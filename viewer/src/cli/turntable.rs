@@ -4,19 +4,19 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use serde_json::json;
 use tam_gen::command::words::{duration, milliseconds, path_text};
 use tam_gen::command::{Failure, Output, Progress, interrupt};
-use tam_viewer::gpu::GpuMap;
 use tam_viewer::mesh::deform::Deform;
+use tam_viewer::scene_file::value;
 use tam_viewer::turntable::{FrameFile, FrameWriter, Path};
 use tam_viewer::{Method, Scene};
 
 use super::render::samples;
-use super::stage::{Stage, distance_for};
+use super::report;
+use super::stage::{Stage, Upload, Ways};
 use super::view::{ViewArgs, method};
-use super::{parse, report};
 
 /// Phases at which the mesh is looked at to place the camera.
 const GLANCES: u32 = 24;
@@ -36,9 +36,9 @@ pub(super) struct TurntableArgs {
     /// What moves
     #[arg(long, value_enum, default_value = "orbit", help_heading = "What is drawn")]
     path: PathArg,
-    /// The shading method
-    #[arg(long, value_name = "METHOD", value_parser = method(), default_value = "fine-tone", help_heading = "How it is hatched")]
-    method: Method,
+    /// The shading method [default: fine-tone]
+    #[arg(long, value_name = "METHOD", value_parser = method(), help_heading = "How it is hatched")]
+    method: Option<Method>,
     #[command(flatten)]
     view: ViewArgs,
     /// Number of frames
@@ -48,7 +48,7 @@ pub(super) struct TurntableArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=100), default_value = "24")]
     fps: u16,
     /// Sides of the frames in pixels
-    #[arg(long, value_name = "WxH", value_parser = parse::size, default_value = "512x512", allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", value_parser = value::size, default_value = "512x512", allow_hyphen_values = true)]
     size: [u32; 2],
     /// Samples per pixel, 1 or 4
     #[arg(long, value_name = "N", value_parser = samples, default_value = "4", allow_hyphen_values = true)]
@@ -76,23 +76,20 @@ enum PathArg {
 }
 
 impl TurntableArgs {
-    fn path(&self) -> Result<Path, Failure> {
-        if self.path == PathArg::Animation && self.view.time.is_some() {
-            return Err(Failure::usage("--time stands still, and --path animation moves", "leave one of them out"));
-        }
-        Ok(match self.path {
+    /// What moves; the mesh bends as the scene says, or else it twists.
+    fn path(&self, deform: Option<Deform>) -> Path {
+        match self.path {
             PathArg::Orbit => Path::Orbit,
             PathArg::Light => Path::Light,
             PathArg::Zoom => Path::Zoom,
             PathArg::Animation => Path::Animation,
-            PathArg::Deform => Path::Deform(self.view.deform.map_or(Deform::Twist, |deformed| deformed.deform)),
-        })
+            PathArg::Deform => Path::Deform(deform.unwrap_or(Deform::Twist)),
+        }
     }
 }
 
 pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    let path = args.path()?;
     let file = FrameFile::of(&args.out).ok_or_else(|| {
         Failure::usage(
             format!("{} is of no kind that frames are written to", args.out.display()),
@@ -101,17 +98,21 @@ pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> 
     })?;
     file.check(args.size, args.force).map_err(report::write)?;
 
-    let posed = !matches!(path, Path::Deform(_));
-    let mut stage = Stage::open(&args.view, &[args.method], None, args.size, args.samples, posed, output)?;
-    if path == Path::Animation && stage.loaded.mesh.animation.is_none() {
+    let posed = args.path != PathArg::Deform;
+    let mut stage = Stage::open(&args.view, Ways::Own(args.method), args.size, args.samples, posed, output)?;
+    let view = &stage.objects.file.view;
+    if args.path == PathArg::Animation && view.time_s.is_some() {
+        return Err(Failure::usage("--time stands still, and --path animation moves", "leave one of them out"));
+    }
+    let path = args.path(view.deform.map(|deformed| deformed.deform));
+    let start_phase = view.deform.filter(|_| !posed).map_or(0.0, |deformed| deformed.phase);
+    if path == Path::Animation && stage.uploads.iter().all(|upload| upload.mesh.animation.is_none()) {
         return Err(Failure::usage(
-            format!("the mesh `{}` has no animation", stage.loaded.mesh.name),
+            format!("the mesh `{}` has no animation", stage.objects.name()),
             "glTF files may have one; --path deform moves any mesh",
         ));
     }
-    let start_phase = args.view.deform.filter(|_| !posed).map_or(0.0, |deformed| deformed.phase);
-    let start = start_scene(args, path, &stage);
-    let params = args.view.params(args.method, &stage.loaded.mesh, args.size);
+    let start = start_scene(path, &stage);
     let mut writer = FrameWriter::new(&file, args.size, args.frames, args.fps, args.force).map_err(report::write)?;
     let progress = Progress::new("drawing", output.quiet || output.json);
     let (mut positions, mut normals) = (Vec::new(), Vec::new());
@@ -119,14 +120,14 @@ pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> 
         interrupt::stop_if_happened()?;
         progress.set(frame as f32 / args.frames as f32);
         let phase = f64::from(frame) / f64::from(args.frames);
-        let Stage { renderer, loaded, mesh, maps, target, .. } = &mut stage;
         if path.moves_vertices() {
-            path.positions(&loaded.mesh, start_phase + phase, &mut positions);
-            loaded.mesh.normals_of(&positions, &mut normals);
-            mesh.update(&renderer.gpu, &positions, &normals);
+            for Upload { mesh, gpu } in &mut stage.uploads {
+                path.positions(mesh, start_phase + phase, &mut positions);
+                mesh.normals_of(&positions, &mut normals);
+                gpu.update(&stage.renderer.gpu, &positions, &normals);
+            }
         }
-        let maps: Vec<&GpuMap> = maps.iter().collect();
-        renderer.render(&path.scene(&start, phase), &params, mesh, &maps, target).map_err(report::render)?;
+        stage.draw_plainly(&path.scene(&start, phase))?;
         writer.write(stage.picture()?).map_err(report::write)?;
     }
     drop(progress);
@@ -154,21 +155,19 @@ pub(super) fn run(args: &TurntableArgs, output: &Output) -> Result<(), Failure> 
 }
 
 /// The scene of phase 0, with the camera where the mesh stays in the picture all the way.
-fn start_scene(args: &TurntableArgs, path: Path, stage: &Stage) -> Scene {
+fn start_scene(path: Path, stage: &Stage) -> Scene {
     let mut start = stage.scene.clone();
-    if !args.view.fits_distance() || matches!(path, Path::Light | Path::Zoom) {
+    let camera = &stage.objects.file.view.camera;
+    if !camera.fits_distance() || matches!(path, Path::Light | Path::Zoom) {
         return start;
     }
     // A camera that goes around looks at the axis it goes around.
-    if path == Path::Orbit && args.view.target.is_none() {
+    if path == Path::Orbit && camera.target.is_none() {
         start.camera.target = DVec3::ZERO;
     }
-    let mesh = &stage.loaded.mesh;
-    let mut positions: Vec<Vec3> = Vec::new();
     let needed = (0..GLANCES).map(|glance| {
         let phase = f64::from(glance) / f64::from(GLANCES);
-        path.positions(mesh, phase, &mut positions);
-        distance_for(&path.scene(&start, phase), &positions, args.size)
+        stage.distance_for(&path.scene(&start, phase), |mesh, at| path.positions(mesh, phase, at))
     });
     start.camera.distance = needed.fold(0.0, f64::max);
     start

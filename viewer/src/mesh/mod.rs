@@ -10,6 +10,7 @@ pub mod deform;
 mod error;
 #[cfg(test)]
 mod invariants;
+mod joined;
 mod load;
 mod normals;
 mod prepare;

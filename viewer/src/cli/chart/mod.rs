@@ -12,9 +12,9 @@ use tam_gen::command::words::{duration, milliseconds, path_text};
 use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::chart::{Figures, MapChoice, Setting, Way, is_repeated, measure_way};
 use tam_viewer::gpu::Picture;
+use tam_viewer::scene_file::value;
 use tam_viewer::{FrameTimer, Mapping, Method};
 
-use super::parse;
 use super::report as failure;
 use super::view::{ViewArgs, mapping, method};
 use scene::Measured;
@@ -56,7 +56,7 @@ pub(super) struct ChartArgs {
     #[arg(long, value_name = "N", value_delimiter = ',', default_value = "3,12", help_heading = "What is measured")]
     tones: Vec<u32>,
     /// Sides of the pictures
-    #[arg(long, value_name = "WxH", value_parser = parse::size, default_value = "384x384", allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", value_parser = value::size, default_value = "384x384", allow_hyphen_values = true)]
     size: [u32; 2],
     /// Pairs of frames that are timed, of which the median counts
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(5..=1000), default_value = "7")]

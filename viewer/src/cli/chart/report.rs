@@ -6,7 +6,6 @@ use image::imageops::FilterType;
 use image::{DynamicImage, ImageFormat};
 use tam_gen::chart::{Axis, Chart, ChartPoint, Page, Report, Table, Thumbnail, figure};
 use tam_gen::command::Failure;
-use tam_gen::command::words::path_text;
 use tam_viewer::chart::{COST_AXIS, COST_LOG_FROM, Figures, MEASURES, Measure};
 use tam_viewer::gpu::Picture;
 use tam_viewer::{Form, Method};
@@ -159,8 +158,7 @@ fn page(args: &ChartArgs, measured: &Measured) -> Page {
 fn command(args: &ChartArgs) -> String {
     let [width, height] = args.size;
     let list = |of: &[u32]| of.iter().map(u32::to_string).collect::<Vec<_>>().join(",");
-    let [mesh, map] = [&args.view.mesh, &args.view.map].map(|path| path_text(path));
-    let mut command = format!("tam-viewer chart --mesh {mesh} --map {map} --size {width}x{height}");
+    let mut command = format!("tam-viewer chart {} --size {width}x{height}", args.view.named());
     if !args.methods.is_empty() {
         let names: Vec<&str> = args.methods.iter().map(|method| method.name()).collect();
         command += &format!(" --methods {}", names.join(","));

@@ -7,9 +7,10 @@ use tam_viewer::gpu::{Gpu, GpuMesh, PixelFormat, Target};
 use tam_viewer::measure::Strokes;
 use tam_viewer::mesh::Mesh;
 use tam_viewer::surface::{Surface, SurfaceOptions};
-use tam_viewer::{Follow, Form, Mapping, Method, RenderParams, Renderer, Scene};
+use tam_viewer::{Form, Mapping, Method, RenderParams, Renderer};
 
-use super::super::stage::{place_camera, pose};
+use super::super::subject::Subject;
+use super::super::surface::{Wanted, needs_of};
 use super::super::{report, source};
 use super::{ChartArgs, MAPPINGS};
 
@@ -29,26 +30,19 @@ impl Measured {
     /// Loads mesh and maps, opens the adapter, makes the surface, and sets up the views.
     pub(super) fn open(args: &ChartArgs, output: &Output) -> Result<Self, Failure> {
         let view = &args.view;
-        if view.surface.follow() == Follow::Light || view.object.iter().any(|object| object.map.is_some()) {
-            return Err(Failure::usage(
-                "a chart compares ways to draw with one map that lies still on the surface",
-                "leave out --follow light and maps of single objects",
-            ));
-        }
         interrupt::catch();
-        let mut mesh = source::mesh(&view.mesh, view.triangles)?.mesh;
-        pose(&mut mesh, view)?;
+        let subject = Subject::open(view, output)?;
+        subject.check_still("a chart compares ways to draw with one map that lies still on the surface")?;
+        let mesh = &subject.mesh;
         let methods = if args.methods.is_empty() { Method::ALL.to_vec() } else { args.methods.clone() };
-        let mappings = mappings(args, &mesh)?;
+        let mappings = mappings(args, &subject)?;
         let renderer = Renderer::new(Gpu::open(&view.adapter.options()).map_err(report::gpu)?);
         // Half floats, so that small changes are not lost in steps of the picture's own.
         let target = renderer.target(args.size, 1, PixelFormat::Linear16).map_err(report::gpu)?;
-        let (map_name, maps, colours) = maps(args, output)?;
-        let mut scene = view.scene(&mesh, colours, &vec![None; view.object.len()])?;
-        place_camera(&mut scene, view, &mesh.positions, args.size);
-
-        let params = view.params(Method::Phong, &mesh, args.size);
-        let (mesh, surface) = surface(args, mesh, &scene, &methods, &mappings, output)?;
+        let (map_name, maps, colours) = maps(args, &subject, output)?;
+        let scene = subject.scene(colours, args.size);
+        let params = subject.params(view, Method::Phong, args.size);
+        let (mesh, surface) = surface(args, &subject, mesh, &params, &methods, &mappings, output)?;
         let mut gpu_mesh = renderer.mesh(&mesh).map_err(report::gpu)?;
         renderer.attach(&mut gpu_mesh, &surface).map_err(report::gpu)?;
         interrupt::stop_if_happened()?;
@@ -72,8 +66,9 @@ impl Measured {
 }
 
 /// The mappings asked for, or those that the mesh has.
-fn mappings(args: &ChartArgs, mesh: &Mesh) -> Result<Vec<Mapping>, Failure> {
-    let given = if args.view.mapping_given() { vec![args.view.mapping(mesh)] } else { args.mappings.clone() };
+fn mappings(args: &ChartArgs, subject: &Subject) -> Result<Vec<Mapping>, Failure> {
+    let mesh = &subject.mesh;
+    let given = if args.view.mapping_given() { vec![subject.mapping()] } else { args.mappings.clone() };
     if given.contains(&Mapping::Uv) && mesh.uvs.is_empty() {
         return Err(Failure::usage(format!("the mesh `{}` has no uv", mesh.name), "the other mappings need none"));
     }
@@ -86,9 +81,9 @@ fn mappings(args: &ChartArgs, mesh: &Mesh) -> Result<Vec<Mapping>, Failure> {
 /// The maps in all sizes and tones, the name of what they are of, and the colours of paper and ink.
 type NamedMaps = (String, Vec<Maps>, Option<([f32; 3], [f32; 3])>);
 
-fn maps(args: &ChartArgs, output: &Output) -> Result<NamedMaps, Failure> {
+fn maps(args: &ChartArgs, subject: &Subject, output: &Output) -> Result<NamedMaps, Failure> {
     let cancel = interrupt::flag();
-    let map = source::map(&args.view.map, &[], cancel, output)?;
+    let map = source::map(subject.map(), &[], cancel, output)?;
     let (name, colours) = (map.name.clone(), source::colours(&map));
     let Some(preset) = map.preset.clone() else {
         output.remark("note: the map has no preset, so it is measured in its own size and tones only");
@@ -113,20 +108,22 @@ fn maps(args: &ChartArgs, output: &Output) -> Result<NamedMaps, Failure> {
 /// The surface for all methods and mappings, and the mesh that it belongs to; the field alone where none needs more.
 fn surface(
     args: &ChartArgs,
-    mesh: Mesh,
-    scene: &Scene,
+    subject: &Subject,
+    mesh: &Mesh,
+    params: &RenderParams,
     methods: &[Method],
     mappings: &[Mapping],
     output: &Output,
 ) -> Result<(Mesh, Surface), Failure> {
-    let view = &args.view;
     // Varied stripes are charted beside plain ones.
-    let params = RenderParams { variety: 1.0, ..view.params(Method::Phong, &mesh, args.size) };
-    if let Some(made) = view.surface.build(&mesh, scene, methods, mappings, &params, output)? {
+    let params = RenderParams { variety: 1.0, ..*params };
+    let needs = needs_of(subject.ways(&params, methods, mappings))?;
+    let wanted = Wanted { mesh, needs, field: subject.field()?, params, look: &subject.look };
+    if let Some(made) = args.view.surface.build(wanted, output)? {
         return Ok(made);
     }
-    let options = SurfaceOptions { field: view.surface.field(&mesh, scene)?, ..SurfaceOptions::default() };
+    let options = SurfaceOptions { field: subject.field()?, ..SurfaceOptions::default() };
     let job = Job { progress: None, cancel: Some(interrupt::flag()), measure: None };
-    let surface = Surface::new_with(&mesh, &options, &job).map_err(report::surface)?;
-    Ok((mesh, surface))
+    let surface = Surface::new_with(mesh, &options, &job).map_err(report::surface)?;
+    Ok((mesh.clone(), surface))
 }

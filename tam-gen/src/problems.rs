@@ -1,4 +1,4 @@
-//! Errors of presets, as a reader needs them: place, cause, way out.
+//! What is wrong with a file that a user wrote, as a reader needs it: place, cause, way out.
 
 use std::fmt;
 use std::ops::Range;
@@ -7,10 +7,10 @@ use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
 use serde::Serialize;
 
-/// Why a preset was refused: everything found wrong with it, at once.
+/// Why a file was refused: everything found wrong with it, at once.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PresetError {
-    /// Where the preset came from: a path, or what its reader called it.
+pub struct FileError {
+    /// Where it came from: a path, or what its reader called it.
     pub origin: String,
     /// All that is wrong, in the order of the file.
     pub problems: Vec<Problem>,
@@ -44,7 +44,7 @@ pub struct Problem {
 
 impl Problem {
     /// A problem without a place in the file.
-    pub(super) fn general(at: impl Into<String>, message: impl Into<String>) -> Self {
+    pub fn general(at: impl Into<String>, message: impl Into<String>) -> Self {
         Self {
             at: at.into(),
             line: None,
@@ -59,7 +59,7 @@ impl Problem {
 
     /// Puts it at bytes of the source, cut to whole characters.
     #[must_use]
-    pub(super) fn at_span(mut self, source: &str, span: Range<usize>) -> Self {
+    pub fn at_span(mut self, source: &str, span: Range<usize>) -> Self {
         let span = whole_characters(source, span);
         let before = &source[..span.start];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -71,34 +71,35 @@ impl Problem {
 
     /// Says what is allowed.
     #[must_use]
-    pub(super) fn expected(mut self, expected: impl Into<String>) -> Self {
+    pub fn expected(mut self, expected: impl Into<String>) -> Self {
         self.expected = expected.into();
         self
     }
 
     /// Says the way out.
     #[must_use]
-    pub(super) fn help(mut self, help: impl Into<Option<String>>) -> Self {
+    pub fn help(mut self, help: impl Into<Option<String>>) -> Self {
         self.help = help.into();
         self
     }
 
     /// Adds another place of the source that takes part.
     #[must_use]
-    pub(super) fn also(mut self, source: &str, span: Range<usize>, says: String) -> Self {
+    pub(crate) fn also(mut self, source: &str, span: Range<usize>, says: String) -> Self {
         self.related.push((whole_characters(source, span), says));
         self
     }
 }
 
-/// Problems looked for in one file: a file with more of them is no preset, and placing each takes a look at all of it.
-pub(super) const PROBLEMS_MAX: usize = 100;
+/// Problems looked for in one file: a file with more of them is something else, and placing each takes a look at all of it.
+pub const PROBLEMS_MAX: usize = 100;
 
 /// Problems printed in full; a reader who has mended these runs the tool again.
 const SHOWN: usize = 12;
 
-impl PresetError {
-    pub(super) fn new(origin: &str, source: &str, mut problems: Vec<Problem>) -> Self {
+impl FileError {
+    /// Refuses a text of an origin for what is wrong with it.
+    pub fn new(origin: &str, source: &str, mut problems: Vec<Problem>) -> Self {
         problems.sort_by_key(|problem| problem.span.as_ref().map(|span| span.start));
         Self { origin: origin.to_owned(), source_text: source.to_owned(), problems }
     }
@@ -149,13 +150,22 @@ impl PresetError {
     }
 }
 
-impl fmt::Display for PresetError {
+impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.report(false))
     }
 }
 
-impl std::error::Error for PresetError {}
+impl std::error::Error for FileError {}
+
+/// What the reading of TOML found wrong, at its place.
+pub fn syntax_problem(source: &str, error: &toml::de::Error) -> Problem {
+    let problem = Problem::general("", error.message().replace('\n', ", "));
+    match error.span() {
+        Some(span) => problem.at_span(source, span),
+        None => problem,
+    }
+}
 
 fn whole_characters(source: &str, span: Range<usize>) -> Range<usize> {
     let start = source.floor_char_boundary(span.start.min(source.len()));

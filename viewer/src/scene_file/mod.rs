@@ -1,0 +1,91 @@
+//! Scenes in words: what a scene file says of objects, looks, camera and light, before any mesh is loaded. The options of
+//! the command line are the same words.
+
+mod look;
+mod object;
+mod pieces;
+mod read;
+mod schema;
+pub mod value;
+mod view;
+mod word;
+mod write;
+
+use std::path::{Path, PathBuf};
+
+pub use look::{FieldEntry, LookEntry, MappingEntry};
+pub use object::{MeshEntry, ObjectEntry, PartEntry, Place};
+pub use pieces::{Piece, unknown_part};
+pub use schema::{schema, schema_text};
+pub use view::{Camera, ViewEntry};
+pub use word::{Given, Kind, Word};
+
+/// Largest scene file, in bytes: a line is enough for an object.
+pub const SCENE_BYTES_MAX: u64 = 64 << 20;
+
+/// Objects of a scene, at most: each is drawn by itself.
+pub const OBJECTS_MAX: usize = 20_000;
+
+/// What a scene file says. What it does not say is as by default.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneFile {
+    /// Camera, lights and paper.
+    pub view: ViewEntry,
+    /// What all objects have in common, where they do not say otherwise.
+    pub look: LookEntry,
+    /// The objects, in order.
+    pub objects: Vec<ObjectEntry>,
+}
+
+impl SceneFile {
+    /// Gives every object a name that no other has: its own, or that of its mesh, with a number where it is taken.
+    pub fn name_objects(&mut self) {
+        let mut taken = std::collections::HashSet::new();
+        for object in &mut self.objects {
+            let name = object.given_name();
+            let numbered = (2..).map(|number| format!("{name}-{number}"));
+            let free = std::iter::once(name.clone()).chain(numbered).find(|name| !taken.contains(name));
+            object.name = free.unwrap_or(name);
+            taken.insert(object.name.clone());
+        }
+    }
+
+    /// All paths as they are seen from the folder in which `file` lies.
+    pub(crate) fn found_from(&mut self, file: &Path) {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        for path in self.paths_mut() {
+            if is_file(path) {
+                *path = folder.join(&*path);
+            }
+        }
+    }
+
+    /// All paths as they are written into a file in `folder`: relative where they lie in or under it.
+    #[must_use]
+    pub fn relative_to(&self, folder: &Path) -> Self {
+        let mut file = self.clone();
+        for path in file.paths_mut() {
+            if let Ok(inside) = path.strip_prefix(folder) {
+                *path = inside.to_owned();
+                if !is_file(path) {
+                    *path = Path::new(".").join(&*path);
+                }
+            } else if is_file(path)
+                && let Ok(absolute) = std::path::absolute(&*path)
+            {
+                *path = absolute;
+            }
+        }
+        file
+    }
+
+    fn paths_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let objects = self.objects.iter_mut().flat_map(ObjectEntry::paths_mut);
+        self.look.paths_mut().chain(objects)
+    }
+}
+
+/// Whether what was named is a file: a plain word is the name of a preset or a sample.
+fn is_file(named: &Path) -> bool {
+    named.components().count() != 1 || named.extension().is_some()
+}
