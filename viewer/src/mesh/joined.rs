@@ -84,7 +84,7 @@ impl Mesh {
         let mut groups = 0;
         for (mesh, world) in placed {
             let (vertex, face) = (whole.positions.len() as u32, whole.triangles.len() as u32);
-            let turned = DMat3::from_mat4(*world).inverse().transpose() * world.determinant().signum();
+            let turned = DMat3::from_mat4(*world).inverse().transpose();
             let place = |at: &glam::Vec3| world.transform_point3(at.as_dvec3()).as_vec3();
             whole.positions.extend(mesh.positions.iter().map(place));
             let turn = |normal: &glam::Vec3| (turned * normal.as_dvec3()).normalize_or(DVec3::Y).as_vec3();

@@ -152,7 +152,10 @@ pub fn written_light(light: &Light) -> String {
             let to_light = -direction.normalize_or(DVec3::NEG_Y);
             let around = to_light.x.atan2(to_light.z).to_degrees();
             let above = to_light.y.atan2(to_light.x.hypot(to_light.z)).to_degrees();
-            ("", vec![around, above])
+            // Angles that somebody wrote are short.
+            let short = [around, above].map(|angle| (angle * 1e6).round() / 1e6);
+            let is_exact = Light::from_angles(short[0], short[1]).kind == light.kind;
+            ("", if is_exact { short.to_vec() } else { vec![around, above] })
         }
         LightKind::Positional { position } => ("at:", position.to_array().to_vec()),
         LightKind::Spot { position, direction, cutoff_deg, exponent } => {

@@ -1,6 +1,6 @@
 //! Scenes as TOML, and as the options of a command.
 
-use toml::{Table, Value};
+use toml::Value;
 
 use super::SceneFile;
 use super::value::written_light;
@@ -10,106 +10,73 @@ impl SceneFile {
     /// The scene as TOML; reading it back gives the same scene.
     pub fn to_toml(&self) -> String {
         let Self { view, look, objects } = self;
-        let mut top = Table::new();
-        extend(&mut top, view.given());
+        let mut text = lines(view.given());
         if !view.lights.is_empty() {
             let lights = view.lights.iter().map(|light| Value::String(written_light(light)));
-            top.insert("light".into(), Value::Array(lights.collect()));
+            text += &format!("light = {}\n", Value::Array(lights.collect()));
         }
-        extend(&mut top, look.given());
-        let mut text = top.to_string();
+        text += &lines(look.given());
         for object in objects {
-            let mut table = Table::new();
-            extend(&mut table, object.given());
-            extend(&mut table, object.look.given());
-            let mut parts = Table::new();
+            text += &format!("\n[[object]]\n{}{}", lines(object.given()), lines(object.look.given()));
             for (name, part) in &object.parts {
-                let mut words = Table::new();
-                extend(&mut words, part.given());
-                extend(&mut words, part.look.given());
-                parts.insert(name.clone(), Value::Table(words));
+                let key = Value::String(name.clone());
+                text += &format!("[object.part.{key}]\n{}{}", lines(part.given()), lines(part.look.given()));
             }
-            if !parts.is_empty() {
-                table.insert("part".into(), Value::Table(parts));
-            }
-            let list = Table::from_iter([("object".to_owned(), Value::Array(vec![Value::Table(table)]))]);
-            text += "\n";
-            text += &list.to_string();
         }
         text
     }
 
-    /// The scene as options of `tam-viewer render`, two for each: the name, and its value.
+    /// The scene as options of `tam-viewer render`: names, and values, which are empty where an option stands alone.
+    /// Objects are called as the command calls them, by their meshes.
     pub fn to_options(&self) -> Vec<(String, String)> {
-        let Self { view, look, objects } = self;
+        let mut file = self.clone();
+        file.objects.iter_mut().for_each(|object| object.name.clear());
+        file.name_objects();
+        let Self { view, look, objects } = &file;
         let option = |(name, given): (&str, Given)| match given {
             // On the command line these stand without a value, and off where they are not named.
             Given::Switch(on) => on.then(|| (format!("--{name}"), String::new())),
             given => Some((format!("--{name}"), given.to_string())),
         };
         let mut options: Vec<(String, String)> = Vec::new();
-        for object in objects {
-            options.push(("--mesh".into(), object.mesh.display().to_string()));
-        }
+        options.extend(objects.iter().map(|object| ("--mesh".into(), object.mesh.display().to_string())));
         options.extend(view.given().filter_map(option));
         options.extend(view.lights.iter().map(|light| ("--light".into(), written_light(light))));
-        let (plain, own): (Vec<_>, Vec<_>) = look.given().partition(|(name, _)| OPTIONS.contains(name));
-        options.extend(plain.into_iter().filter_map(option));
+        let (of_all, of_each): (Vec<_>, Vec<_>) = look.given().partition(|(name, _)| !ONLY_OF_OBJECTS.contains(name));
+        options.extend(of_all.into_iter().filter_map(option));
         for object in objects {
-            if let Some(place) = object.given().find(|(name, _)| *name == "place") {
-                options.push(("--place".into(), format!("{}:{}", object.name, place.1)));
-            }
-            let words: Vec<_> = own.iter().cloned().chain(object.look.given()).collect();
-            push_object(&mut options, &object.name, &words);
+            let own = object.given().filter(|(word, _)| ["triangles", "stretch"].contains(word));
+            let words = own.chain(of_each.iter().cloned()).chain(object.look.given());
+            push(&mut options, &object.name, object.given(), words);
             for (name, part) in &object.parts {
-                let name = format!("{}/{name}", object.name);
-                if let Some(place) = part.given().next() {
-                    options.push(("--place".into(), format!("{name}:{}", place.1)));
-                }
-                push_object(&mut options, &name, &part.look.given().collect::<Vec<_>>());
+                push(&mut options, &format!("{}/{name}", object.name), part.given(), part.look.given());
             }
         }
         options
     }
 }
 
-/// Words of a look that are options of their own; the others are said of each object.
-const OPTIONS: [&str; 24] = [
-    "method",
-    "mapping",
-    "form",
-    "blend",
-    "map",
-    "tiles",
-    "rotate",
-    "scale",
-    "shift",
-    "level-bias",
-    "slope",
-    "line-period",
-    "cross",
-    "variety",
-    "lines",
-    "crease",
-    "field",
-    "smoothing",
-    "stripes",
-    "follow",
-    "planar",
-    "ink",
-    "specular",
-    "colours",
-];
+/// Words of looks that are no options of their own.
+const ONLY_OF_OBJECTS: [&str; 5] = ["contours", "borders", "colour", "lit", "visible"];
 
-fn push_object(options: &mut Vec<(String, String)>, name: &str, words: &[(&str, Given)]) {
-    if !words.is_empty() {
-        let pairs: Vec<String> = words.iter().map(|(word, given)| format!("{word}={given}")).collect();
+/// Options for one object or part: its place among `placed`, and the words of its look.
+fn push(
+    options: &mut Vec<(String, String)>,
+    name: &str,
+    mut placed: impl Iterator<Item = (&'static str, Given)>,
+    words: impl Iterator<Item = (&'static str, Given)>,
+) {
+    if let Some((_, place)) = placed.find(|(word, _)| *word == "place") {
+        options.push(("--place".into(), format!("{name}:{place}")));
+    }
+    let pairs: Vec<String> = words.map(|(word, given)| format!("{word}={given}")).collect();
+    if !pairs.is_empty() {
         options.push(("--object".into(), format!("{name}:{}", pairs.join(","))));
     }
 }
 
-fn extend(table: &mut Table, given: impl Iterator<Item = (&'static str, Given)>) {
-    table.extend(given.map(|(name, given)| (name.to_owned(), toml_value(given))));
+fn lines(given: impl Iterator<Item = (&'static str, Given)>) -> String {
+    given.map(|(name, given)| format!("{name} = {}\n", toml_value(given))).collect()
 }
 
 fn toml_value(given: Given) -> Value {
