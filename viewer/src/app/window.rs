@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Context, Key, KeyboardShortcut, Ui, ViewportCommand};
 use egui_tiles::{SimplificationOptions, TileId, UiResponse};
+use glam::DVec3;
 
 use super::actions::{Action, actions, is_possible};
 use super::apply::{Effect, Model, apply, tell};
@@ -266,7 +267,7 @@ impl App {
                     tell(&mut self.model.state, Severity::Error, text);
                 }
             }
-            Effect::ReloadMesh => self.engine.reload_mesh(),
+            Effect::ReloadMesh => self.engine.reload_mesh(&mut self.results),
             Effect::Close => ctx.send_viewport_cmd(ViewportCommand::Close),
         }
         if !started {
@@ -301,7 +302,17 @@ impl App {
         if !state.transient.frame_mesh || width == 0 || height == 0 {
             return;
         }
-        let points: Vec<_> = mesh.mesh.positions.iter().map(|position| position.as_dvec3()).collect();
+        let mut points: Vec<DVec3> = Vec::new();
+        for object in state.document.objects().filter(|object| object.standing.visible) {
+            let Some(loaded) = self.results.meshes.iter().find(|loaded| loaded.source == *object.mesh) else {
+                continue;
+            };
+            let world = object.standing.world_from_mesh();
+            points.extend(loaded.mesh.positions.iter().map(|position| world.transform_point3(position.as_dvec3())));
+        }
+        if points.is_empty() {
+            points.extend(mesh.mesh.positions.iter().map(|position| position.as_dvec3()));
+        }
         state.camera.frame_points(&points, f64::from(width) / f64::from(height), MARGIN);
         state.transient.frame_mesh = false;
     }

@@ -4,7 +4,7 @@ use tam_gen::command::Failure;
 use tam_gen::preset::nearest;
 use tam_viewer::mesh::Mesh;
 use tam_viewer::scene_file::value::unknown;
-use tam_viewer::scene_file::{LookEntry, ObjectEntry, SceneFile};
+use tam_viewer::scene_file::{LookEntry, ObjectEntry, SceneFile, part_numbers};
 
 /// What is said of one object or part.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -120,7 +120,8 @@ pub(super) fn say<'a>(
         let mut found = false;
         for (object, mesh) in file.objects.iter_mut().zip(meshes) {
             let inner = name.strip_prefix(object.name.as_str()).and_then(|rest| rest.strip_prefix('/'));
-            let part = [inner, Some(name)].into_iter().flatten().find(|name| has_part(mesh, name));
+            let part =
+                [inner, Some(name)].into_iter().flatten().find(|name| !part_numbers(name, &mesh.parts).is_empty());
             if let Some(part) = part {
                 let entry = object.parts.entry(part.to_owned()).or_default();
                 entry.place = said.object.place.or(entry.place);
@@ -139,10 +140,6 @@ pub(super) fn say<'a>(
         }
     }
     Ok(())
-}
-
-fn has_part(mesh: &Mesh, name: &str) -> bool {
-    mesh.parts.iter().any(|part| part.name == name)
 }
 
 /// Names that are listed when one is not known.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 use tam_gen::Job;
 use tam_gen::command::{Failure, Output, Progress, interrupt};
 use tam_viewer::mesh::Mesh;
@@ -13,7 +13,7 @@ use tam_viewer::surface::store::StoreError;
 use tam_viewer::surface::{
     FieldOptions, FieldSource, Guide, StripeOptions, Surface, SurfaceNeeds, SurfaceOptions, guides, store,
 };
-use tam_viewer::{Follow, LightKind, RenderParams, ranges};
+use tam_viewer::{Follow, RenderParams, ranges};
 
 use super::report;
 
@@ -72,7 +72,7 @@ pub(super) fn field(
     let source = match look.field.as_ref().unwrap_or(&FieldEntry::Curvature) {
         FieldEntry::Curvature => FieldSource::Curvature,
         FieldEntry::Lower => FieldSource::LowerCurvature,
-        FieldEntry::Light => FieldSource::Light(to_light(lights, world_from_mesh)),
+        FieldEntry::Light => FieldSource::Light(lights.towards_first(world_from_mesh)),
         FieldEntry::Uv if mesh.uvs.is_empty() => {
             return Err(Failure::usage(
                 format!("--field uv: the mesh `{}` has no uv", mesh.name),
@@ -163,13 +163,4 @@ impl SurfaceArgs {
         }
         Ok(surface)
     }
-}
-
-/// Towards the first light, in mesh space.
-fn to_light(lights: &Lights, world_from_mesh: DMat4) -> DVec3 {
-    let to_light = lights.lights.first().map_or(DVec3::Y, |light| match light.kind {
-        LightKind::Directional { direction } => -direction,
-        LightKind::Positional { position } | LightKind::Spot { position, .. } => position,
-    });
-    world_from_mesh.inverse().transform_vector3(to_light)
 }

@@ -4,7 +4,7 @@
 //! to 1. Direction: strokes that follow the light run along the dominant direction of the weighted light tensor, the sum
 //! of the lights' projections on the surface, each squared and weighted by what arrives of it.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use tam_shaders::types;
 
 /// Lights of a scene, at most.
@@ -91,6 +91,17 @@ pub struct Lights {
     pub ambient: f64,
     /// At most [`MAX_LIGHTS`]; the literal `face-frame` knows the first only.
     pub lights: Vec<Light>,
+}
+
+impl Lights {
+    /// Towards the first light, in the coordinates of a mesh that stands here.
+    pub fn towards_first(&self, world_from_mesh: DMat4) -> DVec3 {
+        let to_light = self.lights.first().map_or(DVec3::Y, |light| match light.kind {
+            LightKind::Directional { direction } => -direction,
+            LightKind::Positional { position } | LightKind::Spot { position, .. } => position,
+        });
+        world_from_mesh.inverse().transform_vector3(to_light)
+    }
 }
 
 impl Default for Lights {

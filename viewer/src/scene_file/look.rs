@@ -370,9 +370,16 @@ impl LookEntry {
 
     /// How it is drawn on a mesh with or without uv; lines are `lines_px` wide where nothing is said of them.
     pub fn params(&self, has_uv: bool, lines_px: f64) -> RenderParams {
-        let default = RenderParams::default();
-        let lines = Silhouettes::default();
-        let width_px = self.lines_px.map_or(Some(lines_px), |lines| lines.0);
+        let silhouettes = Some(Silhouettes { width_px: lines_px, ..Silhouettes::default() });
+        let mapping = MappingEntry::Auto.of(has_uv);
+        self.apply(&RenderParams { silhouettes, mapping, ..RenderParams::default() }, has_uv)
+    }
+
+    /// What it says of a way to draw; what it does not say of stays.
+    #[must_use]
+    pub fn apply(&self, base: &RenderParams, has_uv: bool) -> RenderParams {
+        let lines = base.silhouettes.unwrap_or_default();
+        let width_px = self.lines_px.map_or(base.silhouettes.map(|lines| lines.width_px), |lines| lines.0);
         let silhouettes = width_px.map(|width_px| Silhouettes {
             width_px,
             contours: self.contours.unwrap_or(lines.contours),
@@ -380,37 +387,38 @@ impl LookEntry {
             crease_deg: self.crease_deg.map_or(lines.crease_deg, |crease| crease.0),
         });
         RenderParams {
-            method: self.method.unwrap_or(default.method),
-            mapping: self.mapping.unwrap_or(MappingEntry::Auto).of(has_uv),
-            form: self.form.unwrap_or(default.form),
-            blend: self.blend.unwrap_or(default.blend),
-            follow: self.follow.unwrap_or(default.follow),
-            tiles_per_unit: self.tiles.unwrap_or(default.tiles_per_unit),
-            level_bias: self.level_bias.unwrap_or(default.level_bias),
-            slope: self.slope.unwrap_or(default.slope),
-            line_period_px: self.line_period_px.unwrap_or(default.line_period_px),
-            cross_from: self.cross_from.map_or(default.cross_from, |cross| cross.0),
-            variety: self.variety.unwrap_or(default.variety),
+            method: self.method.unwrap_or(base.method),
+            mapping: self.mapping.map_or(base.mapping, |mapping| mapping.of(has_uv)),
+            form: self.form.unwrap_or(base.form),
+            blend: self.blend.unwrap_or(base.blend),
+            follow: self.follow.unwrap_or(base.follow),
+            tiles_per_unit: self.tiles.unwrap_or(base.tiles_per_unit),
+            level_bias: self.level_bias.unwrap_or(base.level_bias),
+            slope: self.slope.unwrap_or(base.slope),
+            line_period_px: self.line_period_px.unwrap_or(base.line_period_px),
+            cross_from: self.cross_from.map_or(base.cross_from, |cross| cross.0),
+            variety: self.variety.unwrap_or(base.variety),
             silhouettes,
-            ..default
+            ..*base
         }
     }
 
-    /// How a part of this colour takes light and strokes; its map is still the first.
-    pub fn material(&self, colour: [f32; 3]) -> Material {
-        let default = Material::default();
-        let specular = self.specular.unwrap_or(Specular { strength: default.specular, shininess: default.shininess });
-        let [ambient, diffuse] = self.lit.unwrap_or([default.ambient, default.diffuse]);
+    /// How a part takes light and strokes, where this is said of one that takes them as `base`. Turns and shifts are added,
+    /// scales multiplied.
+    #[must_use]
+    pub fn material(&self, base: &Material) -> Material {
+        let specular = self.specular.unwrap_or(Specular { strength: base.specular, shininess: base.shininess });
+        let [ambient, diffuse] = self.lit.unwrap_or([base.ambient, base.diffuse]);
         Material {
-            colour: self.colour.map_or(colour, |colour| colour.0),
+            colour: self.colour.map_or(base.colour, |colour| colour.0),
             ambient,
             diffuse,
             specular: specular.strength,
             shininess: specular.shininess,
-            rotation_deg: self.rotate_deg.unwrap_or(default.rotation_deg),
-            scale: self.scale.unwrap_or(default.scale),
-            shift: self.shift.unwrap_or(default.shift),
-            map: 0,
+            rotation_deg: base.rotation_deg + self.rotate_deg.unwrap_or(0.0),
+            scale: base.scale * self.scale.unwrap_or(1.0),
+            shift: base.shift + self.shift.unwrap_or(DVec2::ZERO),
+            map: base.map,
         }
     }
 

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 pub use look::{FieldEntry, LookEntry, MappingEntry};
 pub use object::{MeshEntry, ObjectEntry, PartEntry, Place};
-pub use pieces::{Piece, unknown_part};
+pub use pieces::{Piece, part_name, part_numbers, unknown_part};
 pub use schema::{schema, schema_text};
 pub use view::{Camera, ViewEntry};
 pub use word::{Given, Kind, Word};

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use glam::{DMat4, DVec3};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::look::LookEntry;
 use super::value;
@@ -11,7 +12,7 @@ use super::word::{Given, Kind, Word};
 use crate::ranges;
 
 /// Where an object stands: scaled, then turned, then moved.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     /// In world units.
     pub translation: DVec3,
@@ -199,5 +200,25 @@ impl PartEntry {
     /// What was said of it beside its look, word by word.
     pub(super) fn given(&self) -> impl Iterator<Item = (&'static str, Given)> {
         Self::WORDS.iter().filter_map(|word| Some((word.name, (word.get)(self)?)))
+    }
+}
+
+/// As words and their texts.
+impl Serialize for PartEntry {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let words = self.given().chain(self.look.given());
+        serializer.collect_map(words.map(|(name, given)| (name, given.to_string())))
+    }
+}
+
+impl<'de> Deserialize<'de> for PartEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut part = Self::default();
+        for (name, text) in BTreeMap::<String, String>::deserialize(deserializer)? {
+            let own = Self::WORDS.iter().any(|word| word.name == name);
+            let set = if own { Word::set(Self::WORDS, &mut part, &name, &text) } else { part.look.set(&name, &text) };
+            set.map_err(serde::de::Error::custom)?;
+        }
+        Ok(part)
     }
 }

@@ -3,7 +3,7 @@
 use glam::DMat4;
 
 use super::value::unknown;
-use super::{LookEntry, PartEntry, Place, SceneFile};
+use super::{LookEntry, ObjectEntry, PartEntry, SceneFile};
 use crate::mesh::{Mesh, Part};
 use crate::scene::Material;
 
@@ -31,7 +31,8 @@ impl Piece {
     /// Materials of the parts, coloured as the mesh says unless `colour_of` says otherwise; all with the first map.
     pub fn materials(&self, mesh: &Mesh, colour_of: impl Fn([f32; 3]) -> [f32; 3]) -> Vec<Material> {
         let parts = self.parts.iter().map(|part| &mesh.parts[*part]);
-        self.looks.iter().zip(parts).map(|(look, part)| look.material(colour_of(part.colour))).collect()
+        let plain = |part: &Part| Material { colour: colour_of(part.colour), ..Material::default() };
+        self.looks.iter().zip(parts).map(|(look, part)| look.material(&plain(part))).collect()
     }
 }
 
@@ -57,39 +58,73 @@ impl SceneFile {
     pub fn pieces<'m>(&self, mesh_of: impl Fn(usize) -> &'m Mesh) -> Result<Vec<Piece>, String> {
         let mut pieces: Vec<Piece> = Vec::new();
         for (index, object) in self.objects.iter().enumerate() {
-            let mesh = mesh_of(index);
-            for name in object.parts.keys().filter(|name| !mesh.parts.iter().any(|part| part.name == **name)) {
-                return Err(format!("object `{}`: {}", object.name, unknown_part(name, &mesh.parts)));
+            let of_object = object.pieces(&self.look, mesh_of(index));
+            let of_object = of_object.map_err(|problem| format!("object `{}`: {problem}", object.name))?;
+            pieces.extend(of_object.into_iter().map(|piece| Piece { object: index, ..piece }));
+        }
+        Ok(pieces)
+    }
+}
+
+impl ObjectEntry {
+    /// What is drawn of it on its mesh, where `base` is said of all objects.
+    ///
+    /// # Errors
+    /// A part that the mesh has not.
+    pub fn pieces(&self, base: &LookEntry, mesh: &Mesh) -> Result<Vec<Piece>, String> {
+        let mut of_parts: Vec<Vec<&PartEntry>> = vec![Vec::new(); mesh.parts.len()];
+        for (name, entry) in &self.parts {
+            let numbers = part_numbers(name, &mesh.parts);
+            if numbers.is_empty() {
+                return Err(unknown_part(name, &mesh.parts));
             }
-            let first = pieces.len();
-            let none = PartEntry::default();
-            for (number, part) in mesh.parts.iter().enumerate() {
-                let PartEntry { place, look } = object.parts.get(&part.name).unwrap_or(&none);
-                let look = look.over(&object.look).over(&self.look);
-                if !look.is_visible() {
-                    continue;
+            numbers.into_iter().for_each(|number| of_parts[number].push(entry));
+        }
+        let whole = self.look.over(base);
+        let stands = self.place.unwrap_or_default().world_from_mesh();
+        let mut pieces: Vec<Piece> = Vec::new();
+        for (number, entries) in of_parts.into_iter().enumerate() {
+            let look = entries.iter().fold(whole.clone(), |look, entry| entry.look.over(&look));
+            if !look.is_visible() {
+                continue;
+            }
+            let at = entries.iter().rev().find_map(|entry| entry.place).unwrap_or_default();
+            let world_from_mesh = stands * at.world_from_mesh() * self.stretched();
+            let common = shared(&look);
+            let alike = |piece: &&mut Piece| piece.world_from_mesh == world_from_mesh && piece.look == common;
+            match pieces.iter_mut().find(alike) {
+                Some(piece) => {
+                    piece.parts.push(number);
+                    piece.looks.push(look);
                 }
-                let at = place.as_ref().map_or(DMat4::IDENTITY, Place::world_from_mesh);
-                let world_from_mesh = object.place.unwrap_or_default().world_from_mesh() * at * object.stretched();
-                let common = shared(&look);
-                let alike = |piece: &&mut Piece| piece.world_from_mesh == world_from_mesh && piece.look == common;
-                match pieces[first..].iter_mut().find(alike) {
-                    Some(piece) => {
-                        piece.parts.push(number);
-                        piece.looks.push(look);
-                    }
-                    None => pieces.push(Piece {
-                        object: index,
-                        parts: vec![number],
-                        world_from_mesh,
-                        look: common,
-                        looks: vec![look],
-                    }),
-                }
+                None => pieces.push(Piece {
+                    object: 0,
+                    parts: vec![number],
+                    world_from_mesh,
+                    look: common,
+                    looks: vec![look],
+                }),
             }
         }
         Ok(pieces)
     }
+}
+
+/// What a part is called in a file: by its name where no other has it, else by its number.
+pub fn part_name(number: usize, parts: &[Part]) -> String {
+    let name = parts.get(number).map_or("", |part| part.name.as_str());
+    let alone = !name.is_empty() && parts.iter().filter(|part| part.name == name).count() == 1;
+    if alone { name.to_owned() } else { format!("#{}", number + 1) }
+}
+
+/// The parts of a name, or the one of a number from 1 after a `#`.
+pub fn part_numbers(name: &str, parts: &[Part]) -> Vec<usize> {
+    let named: Vec<usize> = (0..parts.len()).filter(|number| parts[*number].name == name).collect();
+    if !named.is_empty() {
+        return named;
+    }
+    let number = name.strip_prefix('#').and_then(|number| number.parse::<usize>().ok());
+    number.and_then(|number| number.checked_sub(1)).filter(|number| *number < parts.len()).into_iter().collect()
 }
 
 /// What is said about a part that is not there.
@@ -97,7 +132,7 @@ pub fn unknown_part(name: &str, parts: &[Part]) -> String {
     let mut names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).filter(|name| !name.is_empty()).collect();
     names.dedup();
     if names.is_empty() {
-        return format!("no part is called `{name}`; the parts of the mesh have no names");
+        return format!("no part is called `{name}`; they have no names, and are called #1 to #{}", parts.len());
     }
     unknown("part", name, names)
 }
@@ -149,6 +184,24 @@ mod tests {
         assert_eq!(seat.look.method, Some(Method::Stripes));
         assert_eq!(seat.world_from_mesh.w_axis.truncate().to_array(), [1.0, 1.0, 0.0]);
         assert!(pieces.last().expect("the second").is_whole(&chair));
+    }
+
+    #[test]
+    fn parts_without_a_name_of_their_own_go_by_their_number() {
+        let mut chair = chair();
+        chair.parts[2].name.clear();
+        let twin = chair.parts[1].name.clone();
+        chair.parts[3].name = twin;
+        let names: Vec<String> = (0..4).map(|number| part_name(number, &chair.parts)).collect();
+        assert_eq!(
+            (names[0].as_str(), &names[1..]),
+            ("seat", &["#2".to_owned(), "#3".to_owned(), "#4".to_owned()][..])
+        );
+        for (number, name) in names.iter().enumerate() {
+            assert_eq!(part_numbers(name, &chair.parts), [number]);
+        }
+        assert_eq!(part_numbers("#0", &chair.parts), [0_usize; 0]);
+        assert_eq!(part_numbers("#99", &chair.parts), [0_usize; 0]);
     }
 
     #[test]

@@ -1,15 +1,18 @@
 //! What is being made.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use tam_gen::Preset;
 
 use super::look::Look;
+use super::object::{SceneObject, Standing};
 use crate::mesh::sample::Sample;
 use crate::scene::{Lights, Material};
 
-/// A material on a mesh in a light. Everything here is undone and redone.
+/// Materials on meshes in a light. Everything here is undone and redone. One object is chosen: its preset, mesh and look
+/// stand here themselves, those of the others in a list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Document {
@@ -23,8 +26,16 @@ pub struct Document {
     pub look: Look,
     /// What lights it.
     pub lights: Lights,
-    /// By object of the mesh; objects beyond take the mesh's own.
+    /// By part of the mesh; parts beyond take the mesh's own.
     pub materials: Vec<Material>,
+    /// Name, place and parts of the chosen object.
+    pub standing: Standing,
+    /// The other objects, in order.
+    pub others: Vec<SceneObject>,
+    /// How many of them stand before the chosen one.
+    pub(super) chosen: usize,
+    /// Presets that parts of objects name in place of their object's.
+    pub part_presets: BTreeMap<PathBuf, Preset>,
     /// Another look or preset beside it.
     pub compare: Option<Compare>,
 }
@@ -41,6 +52,10 @@ impl Default for Document {
             look: Look::default(),
             lights: Lights::default(),
             materials: Vec::new(),
+            standing: Standing::default(),
+            others: Vec::new(),
+            chosen: 0,
+            part_presets: BTreeMap::new(),
             compare: None,
         }
     }

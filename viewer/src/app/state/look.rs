@@ -1,10 +1,11 @@
 //! How strokes are put on the surface.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::mesh::Mesh;
-use crate::scene::{LightKind, Lights};
+use crate::scene::Lights;
+use crate::scene_file::{FieldEntry, LookEntry};
 use crate::surface::{FieldOptions, FieldSource, Guide, StripeOptions, SurfaceNeeds, SurfaceOptions};
 use crate::{Mapping, Method, RenderParams};
 
@@ -102,29 +103,41 @@ impl Look {
         look
     }
 
-    /// What has to be made of the surface before it can be drawn; `None`: nothing. `world_from_mesh` is the identity.
-    pub fn surface_options(&self, lights: &Lights) -> Option<SurfaceOptions> {
-        let field = self.field_options(lights);
+    /// The same with what words say of a part of a mesh with or without uv; guides in files stay as they are.
+    pub fn with(&self, words: &LookEntry, has_uv: bool) -> Self {
+        let field = match &words.field {
+            None | Some(FieldEntry::Guides(_)) => self.field,
+            Some(FieldEntry::Curvature) => FieldChoice::Curvature,
+            Some(FieldEntry::Lower) => FieldChoice::LowerCurvature,
+            Some(FieldEntry::Light) => FieldChoice::Light,
+            Some(FieldEntry::Uv) => FieldChoice::Uv,
+            Some(FieldEntry::Along(direction)) => FieldChoice::Constant(*direction),
+        };
+        Self {
+            params: words.apply(&self.params, has_uv),
+            field,
+            smoothing: words.smoothing.unwrap_or(self.smoothing),
+            guides: self.guides.clone(),
+            planar: words.planar.unwrap_or(self.planar),
+            lines_per_unit: words.stripes.unwrap_or(self.lines_per_unit),
+        }
+    }
+
+    /// What has to be made of the surface of a mesh that stands here before it can be drawn; `None`: nothing.
+    pub fn surface_options(&self, lights: &Lights, world_from_mesh: DMat4) -> Option<SurfaceOptions> {
+        let field = self.field_options(lights, world_from_mesh);
         SurfaceNeeds::of(&self.params).options(field, &self.params, self.planar, self.lines_per_unit)
     }
 
-    /// Which way strokes run. `world_from_mesh` is the identity.
-    pub fn field_options(&self, lights: &Lights) -> FieldOptions {
+    /// Which way strokes run on a mesh that stands here.
+    pub fn field_options(&self, lights: &Lights, world_from_mesh: DMat4) -> FieldOptions {
         let source = match self.field {
             FieldChoice::Curvature => FieldSource::Curvature,
             FieldChoice::LowerCurvature => FieldSource::LowerCurvature,
-            FieldChoice::Light => FieldSource::Light(to_light(lights)),
+            FieldChoice::Light => FieldSource::Light(lights.towards_first(world_from_mesh)),
             FieldChoice::Uv => FieldSource::Uv,
             FieldChoice::Constant(direction) => FieldSource::Constant(direction),
         };
         FieldOptions { source, smoothing: self.smoothing, guides: self.guides.clone() }
     }
-}
-
-/// Towards the first light.
-fn to_light(lights: &Lights) -> DVec3 {
-    lights.lights.first().map_or(DVec3::Y, |light| match light.kind {
-        LightKind::Directional { direction } => -direction,
-        LightKind::Positional { position } | LightKind::Spot { position, .. } => position,
-    })
 }

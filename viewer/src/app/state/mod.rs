@@ -3,6 +3,7 @@
 mod chart;
 mod document;
 mod look;
+mod object;
 mod settings;
 mod transient;
 
@@ -15,6 +16,7 @@ use tam_gen::Preset;
 pub use chart::{ChartSettings, ChartSort, ChartTab, ChartView, FitSettings};
 pub use document::{Compare, Document, MeshSource, PresetSource};
 pub use look::{FieldChoice, Look};
+pub use object::{ObjectRef, SceneObject, Standing};
 pub use settings::{ExportSettings, Navigation, PictureSettings, Settings, Theme, TurntableSettings};
 pub use transient::{CellView, Dialog, MapTab, MeshBefore, Motion, Notice, Severity, Tool, Transient};
 

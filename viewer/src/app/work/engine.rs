@@ -13,7 +13,7 @@ use tam_gen::export::ExportOptions;
 use super::files::{FileRequest, FileWorker, file_worker, formats};
 use super::map::{CheckWorker, MadeMap, MapRequest, MapWorker, check_worker, map_worker};
 use super::measuring::Measuring;
-use super::mesh::{LoadedMesh, MeshWorker, mesh_worker};
+use super::mesh::{MeshWorker, mesh_worker};
 use super::pace::Pace;
 use super::painter::Shot;
 use super::picture::{PictureRequest, PictureWorker, Stillness, picture_worker};
@@ -22,11 +22,11 @@ use super::surface::{MadeSurface, SurfaceRequest, SurfaceWorker, surface_worker}
 use super::thumbnails::{Subject, ThumbnailRequest};
 use super::worker::Wake;
 use crate::Method;
-use crate::app::state::{Compare, Look, MeshSource, Motion, Notice, Severity, State};
+use crate::app::state::{Look, MeshSource, Motion, Notice, Severity, State};
 use crate::app::words;
 pub(crate) use round::MARGIN;
 use round::Round;
-use view::{looks, path_of, scene, surface_request};
+use view::{Cut, Wanted, path_of, scene};
 
 /// Triangles up to which strokes follow a mesh: beyond, the field alone takes minutes and gigabytes.
 pub(super) const SURFACE_TRIANGLES: usize = 2_000_000;
@@ -63,7 +63,15 @@ pub(crate) struct Engine {
     measuring: Measuring,
     asked: Asked,
     made: Vec<MadeSurface>,
-    other_map: Option<Arc<MadeMap>>,
+    /// Maps of presets that are not the chosen object's.
+    other_maps_made: Vec<Arc<MadeMap>>,
+    /// Those that cannot be made.
+    other_maps_failed: Vec<Preset>,
+    /// Meshes that cannot be loaded.
+    meshes_failed: Vec<MeshSource>,
+    cuts: Vec<Cut>,
+    /// Surfaces that the scene needs.
+    needed: usize,
     /// Surfaces that cannot be made are not asked for again.
     refused: Vec<SurfaceRequest>,
     writing: Option<String>,
@@ -79,7 +87,7 @@ pub(crate) struct Engine {
 #[derive(Default)]
 struct Asked {
     map: Option<MapRequest>,
-    other_map: Option<MapRequest>,
+    other_map: Option<Preset>,
     mesh: Option<MeshSource>,
     surface: Option<SurfaceRequest>,
     shot: Option<(Shot, Stillness)>,
@@ -102,7 +110,11 @@ impl Engine {
             measuring: Measuring::start(wake)?,
             asked: Asked::default(),
             made: Vec::new(),
-            other_map: None,
+            other_maps_made: Vec::new(),
+            other_maps_failed: Vec::new(),
+            meshes_failed: Vec::new(),
+            cuts: Vec::new(),
+            needed: 0,
             refused: Vec::new(),
             writing: None,
             pace: Pace::default(),
@@ -129,10 +141,10 @@ impl Engine {
             self.view_px = demand.size_px;
         }
         self.follow_map(state, demand, results);
-        self.follow_mesh(state);
+        self.follow_meshes(state, results);
         if let Some(mesh) = results.mesh.clone() {
-            self.follow_surfaces(state, demand, &mesh, results);
-            self.follow_picture(state, demand, &mesh, results);
+            self.follow_surfaces(state, demand, results);
+            self.follow_picture(state, demand, results);
             let busy = self.is_busy();
             self.measuring.follow(state, &scene(state, &mesh), demand, busy, &self.made, results);
         }
@@ -157,9 +169,12 @@ impl Engine {
             fine,
         };
         let other = document.compare.as_ref();
-        let fine_too = other.is_some_and(|other| other.preset.is_none() && fine(&other.look));
+        let fine_too = other.is_some_and(|other| other.preset.is_none() && fine(&other.look))
+            || document.others.iter().any(|other| other.source == document.source && fine(&other.look));
         let wanted = request(state.preset_name(), &document.preset, fine(&document.look) || fine_too);
         if is_new(&self.asked.map, &wanted) {
+            // What was made for an object that was chosen before is there at once.
+            self.choose_map(&wanted, results);
             self.asked.map = Some(wanted.clone());
             match wanted.preset.validate().into_iter().next() {
                 None => self.maps.request(wanted),
@@ -168,47 +183,123 @@ impl Engine {
                 }
             }
         }
-        let Some(Compare { preset: Some((name, preset)), look, .. }) = other else {
-            (self.other_map, self.asked.other_map) = (None, None);
+        self.follow_other_maps(state);
+    }
+
+    /// Puts the map of a preset that becomes the chosen one into the results, and keeps the one before.
+    fn choose_map(&mut self, wanted: &MapRequest, results: &mut Results) {
+        let Some(index) = self.other_maps_made.iter().position(|made| made.preset == wanted.preset) else { return };
+        let made = self.other_maps_made.remove(index);
+        self.other_maps_made.extend(results.map.replace(made).filter(|before| !before.draft));
+    }
+
+    /// Makes the maps of the other objects and of the other side, one after another.
+    fn follow_other_maps(&mut self, state: &State) {
+        let document = &state.document;
+        let compared = document.compare.iter().filter_map(|compare| {
+            let (name, preset) = compare.preset.as_ref()?;
+            Some((name.clone(), preset, compare.look.params.method == Method::FineTone))
+        });
+        let others = document
+            .objects()
+            .filter(|object| object.source != &document.source)
+            .map(|object| (object.source.name(), object.preset, object.look.params.method == Method::FineTone));
+        let of_parts = document.part_presets.iter().map(|(name, preset)| (name.display().to_string(), preset, false));
+        let mut wanted: Vec<(String, &Preset, bool)> = Vec::new();
+        for (name, preset, fine) in compared.chain(others).chain(of_parts) {
+            if *preset == document.preset {
+                continue;
+            }
+            match wanted.iter_mut().find(|(_, known, _)| *known == preset) {
+                Some((_, _, known)) => *known |= fine,
+                None => wanted.push((name, preset, fine)),
+            }
+        }
+        let is_wanted = |preset: &Preset| wanted.iter().any(|(_, known, _)| *known == preset);
+        self.other_maps_made.retain(|made| is_wanted(&made.preset));
+        self.other_maps_failed.retain(is_wanted);
+        if self.other_maps.is_busy() {
             return;
-        };
-        let wanted = request(name.clone(), preset, fine(look));
-        if is_new(&self.asked.other_map, &wanted) {
-            self.asked.other_map = Some(wanted.clone());
-            if wanted.preset.validate().is_empty() {
-                self.other_maps.request(wanted);
+        }
+        let missing = wanted.into_iter().find(|(_, preset, _)| {
+            !self.other_maps_made.iter().any(|made| made.preset == **preset) && !self.other_maps_failed.contains(preset)
+        });
+        if let Some((name, preset, fine)) = missing {
+            if preset.validate().is_empty() {
+                self.other_maps.request(MapRequest { name, preset: preset.clone(), draft_px: None, fine });
+                self.asked.other_map = Some(preset.clone());
+            } else {
+                self.other_maps_failed.push(preset.clone());
             }
         }
     }
 
-    fn follow_mesh(&mut self, state: &State) {
-        if self.asked.mesh.as_ref() != Some(&state.document.mesh) {
-            self.asked.mesh = Some(state.document.mesh.clone());
-            self.meshes.request(state.document.mesh.clone());
+    /// Loads the meshes of all objects, that of the chosen one first.
+    fn follow_meshes(&mut self, state: &State, results: &mut Results) {
+        let document = &state.document;
+        if self.asked.mesh.as_ref() != Some(&document.mesh) {
+            self.asked.mesh = Some(document.mesh.clone());
+            match results.meshes.iter().find(|mesh| mesh.source == document.mesh) {
+                Some(mesh) => results.mesh = Some(Arc::clone(mesh)),
+                None => self.meshes.request(document.mesh.clone()),
+            }
+        }
+        let is_wanted = |source: &MeshSource| document.objects().any(|object| object.mesh == source);
+        let shown = results.mesh.as_ref().map(|mesh| mesh.source.clone());
+        let before = results.meshes.len();
+        results.meshes.retain(|mesh| is_wanted(&mesh.source) || Some(&mesh.source) == shown.as_ref());
+        if results.meshes.len() != before {
+            self.forget_cuts(&results.meshes);
+        }
+        self.meshes_failed.retain(is_wanted);
+        if self.meshes.is_busy() {
+            return;
+        }
+        let missing = document.objects().map(|object| object.mesh).find(|source| {
+            !results.meshes.iter().any(|mesh| mesh.source == **source) && !self.meshes_failed.contains(source)
+        });
+        if let Some(source) = missing {
+            self.meshes.request(source.clone());
         }
     }
 
-    fn follow_surfaces(&mut self, state: &State, demand: Demand, mesh: &LoadedMesh, results: &mut Results) {
-        let looks = looks(state, mesh);
-        let wanted = looks.iter().filter_map(|look| surface_request(look, state, mesh));
+    fn follow_surfaces(&mut self, state: &State, demand: Demand, results: &mut Results) {
+        let compare = state.document.compare.as_ref();
+        let mut all = self.wanted(state, &results.meshes, None);
+        if compare.is_some() {
+            all.extend(self.wanted(state, &results.meshes, compare));
+        }
+        let lights = &state.document.lights;
+        let mut requests: Vec<SurfaceRequest> = Vec::new();
+        for request in all.iter().filter_map(|wanted: &Wanted<'_>| wanted.surface(lights)) {
+            if !requests.contains(&request) {
+                requests.push(request);
+            }
+        }
+        self.needed = requests.len();
         let is_missing = |request: &SurfaceRequest| !self.made.iter().any(|made| made.request == *request);
-        let (refused, missing): (Vec<_>, Vec<_>) =
-            wanted.filter(is_missing).partition(|request| self.refused.contains(request));
+        let (refused, mut missing): (Vec<_>, Vec<_>) =
+            requests.into_iter().filter(is_missing).partition(|request| self.refused.contains(request));
         if refused.is_empty() {
             results.surface_problem = None;
         }
-        if mesh.mesh.triangles.len() > SURFACE_TRIANGLES && !missing.is_empty() {
+        let too_large = |request: &SurfaceRequest| request.mesh.triangles.len() > SURFACE_TRIANGLES;
+        if let Some(index) = missing.iter().position(too_large) {
+            let request = missing.swap_remove(index);
             let problem = format!(
                 "Strokes follow meshes of up to {}; this one has {} and is drawn with three planes instead.",
                 words::counted(SURFACE_TRIANGLES, "triangle"),
-                words::grouped(mesh.mesh.triangles.len())
+                words::grouped(request.mesh.triangles.len())
             );
             self.told.push(Notice { severity: Severity::Warning, text: problem.clone() });
             results.surface_problem = Some(problem);
-            self.refused.extend(missing);
+            self.refused.push(request);
             return;
         }
-        let Some(request) = missing.into_iter().next() else {
+        // What is worked on is finished first, as long as it is wanted.
+        let asked = self.asked.surface.as_ref();
+        let going_on = asked.filter(|asked| self.surfaces.is_busy() && missing.contains(asked)).cloned();
+        let Some(request) = going_on.or_else(|| missing.into_iter().next()) else {
             if self.surfaces.is_busy() {
                 self.surfaces.cancel();
             }
@@ -223,13 +314,12 @@ impl Engine {
         }
     }
 
-    fn follow_picture(&mut self, state: &State, demand: Demand, mesh: &LoadedMesh, results: &Results) {
-        let Some(map) = &results.map else { return };
+    fn follow_picture(&mut self, state: &State, demand: Demand, results: &Results) {
         if demand.size_px.contains(&0) {
             return;
         }
         let motion = state.transient.motion;
-        let Some(mut shot) = self.shot(state, mesh, map, demand.size_px, motion) else { return };
+        let Some(mut shot) = self.shot(state, results, demand.size_px, motion) else { return };
         let costly = self.pace.coarser() > 1;
         let changed = self.asked.shot.as_ref().is_none_or(|(asked, _)| !asked.shows_same(&shot));
         // As long as nothing has moved yet, the picture that is looked at is the best there is.
@@ -271,9 +361,10 @@ impl Engine {
         self.measuring.cancel_fit();
     }
 
-    /// Loads the mesh again, as its file has changed.
-    pub(crate) fn reload_mesh(&mut self) {
-        self.asked.mesh = None;
+    /// Loads the chosen object's mesh again, as its file has changed.
+    pub(crate) fn reload_mesh(&mut self, results: &mut Results) {
+        let asked = self.asked.mesh.take();
+        results.meshes.retain(|mesh| Some(&mesh.source) != asked.as_ref());
     }
 
     /// Asks for a small picture of a preset.
@@ -322,8 +413,7 @@ impl Engine {
         size_px: [u32; 2],
         motion: Option<Motion>,
     ) -> Option<Shot> {
-        let (mesh, map) = (results.mesh.as_ref()?, results.map.as_ref()?);
-        self.shot(state, mesh, map, size_px, motion)
+        self.shot(state, results, size_px, motion)
     }
 
     fn write(&mut self, what: &str, request: FileRequest) -> bool {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use glam::Vec3;
+use glam::{DMat4, Vec3};
 use image::RgbaImage;
 
 use crate::gpu::{Gpu, GpuError, GpuMap, GpuMesh, GpuOptions, PixelFormat, Target};
@@ -11,10 +11,13 @@ use crate::maps::HatchMap;
 use crate::mesh::Mesh;
 use crate::surface::Surface;
 use crate::turntable::Path;
-use crate::{FrameTimer, RenderError, RenderParams, Renderer, Scene};
+use crate::{FrameTimer, Material, Object, RenderError, RenderParams, Renderer, Scene};
 
-/// Meshes, maps and targets that are kept uploaded.
-const KEPT: usize = 4;
+/// Bytes of meshes, and as many of maps, that are kept on the device beside what is drawn.
+const KEPT_BYTES: u64 = 512 << 20;
+
+/// Targets that are kept.
+const TARGETS: usize = 4;
 
 /// One picture.
 #[derive(Clone, Debug)]
@@ -29,30 +32,58 @@ pub(super) struct Shot {
     pub sides: Vec<Side>,
     /// Share of the width that shows the first of two.
     pub split: f64,
+    /// Which of the first side's sitters is of the chosen object.
+    pub chosen: usize,
 }
 
 /// What is drawn on one side.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Side {
+    pub sitters: Vec<Sitter>,
+    /// Colour of the paper, linear light.
+    pub paper: [f32; 3],
+}
+
+/// An object, or a part of one, as it is drawn.
+#[derive(Clone, Debug)]
+pub(super) struct Sitter {
     pub params: RenderParams,
     pub mesh: Arc<Mesh>,
     pub surface: Option<Arc<Surface>>,
-    pub map: Arc<HatchMap>,
-    /// Colours of paper and ink, linear light.
-    pub colours: ([f32; 3], [f32; 3]),
+    /// Those that its materials name by number.
+    pub maps: Vec<Arc<HatchMap>>,
+    pub world_from_mesh: DMat4,
+    /// Colour of the ink, linear light.
+    pub ink: [f32; 3],
+    pub materials: Vec<Material>,
 }
 
-impl PartialEq for Side {
+impl Sitter {
+    /// Of a mesh at the origin, in its own colours.
+    pub(super) fn plain(params: RenderParams, mesh: Arc<Mesh>, map: Arc<HatchMap>, ink: [f32; 3]) -> Self {
+        let materials = Scene::of(&mesh).materials;
+        Self { params, mesh, surface: None, maps: vec![map], world_from_mesh: DMat4::IDENTITY, ink, materials }
+    }
+}
+
+impl PartialEq for Sitter {
     fn eq(&self, other: &Self) -> bool {
-        let surfaces = match (&self.surface, &other.surface) {
-            (Some(own), Some(other)) => Arc::ptr_eq(own, other),
-            (own, other) => own.is_none() && other.is_none(),
-        };
-        surfaces
+        same(self.surface.as_ref(), other.surface.as_ref())
             && Arc::ptr_eq(&self.mesh, &other.mesh)
-            && Arc::ptr_eq(&self.map, &other.map)
+            && self.maps.len() == other.maps.len()
+            && self.maps.iter().zip(&other.maps).all(|(own, other)| Arc::ptr_eq(own, other))
             && self.params == other.params
-            && self.colours == other.colours
+            && self.world_from_mesh == other.world_from_mesh
+            && self.ink == other.ink
+            && self.materials == other.materials
+    }
+}
+
+/// Whether both are the same one, or nothing.
+fn same<T>(own: Option<&Arc<T>>, other: Option<&Arc<T>>) -> bool {
+    match (own, other) {
+        (Some(own), Some(other)) => Arc::ptr_eq(own, other),
+        (own, other) => own.is_none() && other.is_none(),
     }
 }
 
@@ -75,10 +106,13 @@ pub(super) struct Painter {
     renderer: Renderer,
     timer: FrameTimer,
     meshes: Vec<UploadedMesh>,
-    maps: Vec<GpuMap>,
+    /// Each with the shot that used it last.
+    maps: Vec<(GpuMap, u64)>,
     targets: Vec<Target>,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
+    /// Counts what was drawn.
+    shots: u64,
 }
 
 struct UploadedMesh {
@@ -86,6 +120,8 @@ struct UploadedMesh {
     surface: Option<Arc<Surface>>,
     mesh: GpuMesh,
     pose: Option<(Path, f64)>,
+    /// The shot that used it last.
+    used: u64,
 }
 
 /// A finished picture.
@@ -108,6 +144,7 @@ impl Painter {
             targets: Vec::new(),
             positions: Vec::new(),
             normals: Vec::new(),
+            shots: 0,
         })
     }
 
@@ -136,46 +173,63 @@ impl Painter {
     }
 
     fn paint_side(&mut self, shot: &Shot, side: &Side) -> Result<(RgbaImage, Duration), RenderError> {
-        let mesh = self.mesh(side, shot.pose)?;
-        let map = self.map(&side.map);
+        self.shots += 1;
+        let meshes: Vec<usize> =
+            side.sitters.iter().map(|sitter| self.mesh(sitter, shot.pose)).collect::<Result<_, _>>()?;
+        let mut maps: Vec<Arc<HatchMap>> = Vec::new();
+        let mut materials: Vec<Vec<Material>> = Vec::with_capacity(side.sitters.len());
+        for sitter in &side.sitters {
+            let numbers: Vec<usize> = sitter.maps.iter().map(|map| number_of(&mut maps, map)).collect();
+            let numbered = |material: &Material| {
+                let map = numbers.get(material.map).or(numbers.first()).copied().unwrap_or_default();
+                Material { map, ..material.clone() }
+            };
+            materials.push(sitter.materials.iter().map(numbered).collect());
+        }
+        let uploaded: Vec<usize> = maps.iter().map(|map| self.map(map)).collect();
         let target = self.target(shot.size_px, shot.samples)?;
-        let Self { renderer, timer, meshes, maps, targets, .. } = self;
+        let Self { renderer, timer, meshes: kept, maps, targets, .. } = self;
         let mut scene = shot.scene.clone();
-        (scene.paper, scene.ink) = side.colours;
+        scene.paper = side.paper;
         if let Some((path, phase)) = shot.pose {
             scene = path.scene(&scene, phase);
         }
+        let maps: Vec<&GpuMap> = uploaded.iter().map(|map| &maps[*map].0).collect();
+        let object = |((sitter, mesh), materials)| {
+            let Sitter { params, world_from_mesh, ink, .. }: &Sitter = sitter;
+            let mesh: &usize = mesh;
+            let materials: &Vec<Material> = materials;
+            Object { mesh: &kept[*mesh].mesh, world_from_mesh: *world_from_mesh, params, ink: *ink, materials }
+        };
+        let objects: Vec<Object<'_>> = side.sitters.iter().zip(&meshes).zip(&materials).map(object).collect();
         let cost = timer.time(renderer, |renderer, timer| {
-            let (mesh, map, target) = (&meshes[mesh].mesh, &maps[map], &targets[target]);
-            renderer.render_timed(&scene, &side.params, mesh, &[map], target, Some(timer))
+            renderer.render_objects(&scene, &objects, &maps, &targets[target], Some(timer))
         })?;
-        Ok((targets[target].read(&renderer.gpu)?.into_image(), cost))
+        let image = targets[target].read(&renderer.gpu)?.into_image();
+        self.make_room();
+        Ok((image, cost))
     }
 
     /// Where the mesh is among those uploaded, in its pose.
-    fn mesh(&mut self, side: &Side, pose: Option<(Path, f64)>) -> Result<usize, RenderError> {
+    fn mesh(&mut self, sitter: &Sitter, pose: Option<(Path, f64)>) -> Result<usize, RenderError> {
         let is_it = |uploaded: &UploadedMesh| {
-            Arc::ptr_eq(&uploaded.source, &side.mesh)
-                && match (&uploaded.surface, &side.surface) {
-                    (Some(own), Some(wanted)) => Arc::ptr_eq(own, wanted),
-                    (own, wanted) => own.is_none() && wanted.is_none(),
-                }
+            Arc::ptr_eq(&uploaded.source, &sitter.mesh) && same(uploaded.surface.as_ref(), sitter.surface.as_ref())
         };
         let index = match self.meshes.iter().position(is_it) {
             Some(index) => index,
             None => {
-                let mut mesh = self.renderer.mesh(&side.mesh)?;
-                if let Some(surface) = &side.surface {
+                let mut mesh = self.renderer.mesh(&sitter.mesh)?;
+                if let Some(surface) = &sitter.surface {
                     self.renderer.attach(&mut mesh, surface)?;
                 }
-                make_room(&mut self.meshes);
-                let (source, surface) = (Arc::clone(&side.mesh), side.surface.clone());
-                self.meshes.push(UploadedMesh { source, surface, mesh, pose: None });
+                let (source, surface) = (Arc::clone(&sitter.mesh), sitter.surface.clone());
+                self.meshes.push(UploadedMesh { source, surface, mesh, pose: None, used: self.shots });
                 self.meshes.len() - 1
             }
         };
         let pose = pose.filter(|(path, _)| path.moves_vertices());
         let uploaded = &mut self.meshes[index];
+        uploaded.used = self.shots;
         if uploaded.pose != pose {
             let source = &uploaded.source;
             match pose {
@@ -192,12 +246,22 @@ impl Painter {
     }
 
     fn map(&mut self, map: &Arc<HatchMap>) -> usize {
-        if let Some(index) = self.maps.iter().position(|uploaded| Arc::ptr_eq(&uploaded.source, map)) {
-            return index;
-        }
-        make_room(&mut self.maps);
-        self.maps.push(self.renderer.map(Arc::clone(map)));
-        self.maps.len() - 1
+        let index = match self.maps.iter().position(|(uploaded, _)| Arc::ptr_eq(&uploaded.source, map)) {
+            Some(index) => index,
+            None => {
+                self.maps.push((self.renderer.map(Arc::clone(map)), 0));
+                self.maps.len() - 1
+            }
+        };
+        self.maps[index].1 = self.shots;
+        index
+    }
+
+    /// Drops what was used longest ago, until what is kept takes no more than so many bytes; what was just drawn stays.
+    fn make_room(&mut self) {
+        let now = self.shots;
+        make_room(&mut self.meshes, now, |kept| (kept.used, kept.mesh.bytes()));
+        make_room(&mut self.maps, now, |(map, used)| (*used, map.bytes()));
     }
 
     fn target(&mut self, size_px: [u32; 2], samples: u32) -> Result<usize, RenderError> {
@@ -206,16 +270,29 @@ impl Painter {
             return Ok(index);
         }
         let target = self.renderer.target(size_px, samples, PixelFormat::Srgb8)?;
-        make_room(&mut self.targets);
+        if self.targets.len() >= TARGETS {
+            self.targets.remove(0);
+        }
         self.targets.push(target);
         Ok(self.targets.len() - 1)
     }
 }
 
-/// Drops the oldest of what is kept.
-fn make_room<T>(kept: &mut Vec<T>) {
-    if kept.len() >= KEPT {
-        kept.remove(0);
+/// Number of a map among others, put behind them where it is none of them.
+fn number_of(maps: &mut Vec<Arc<HatchMap>>, map: &Arc<HatchMap>) -> usize {
+    maps.iter().position(|known| Arc::ptr_eq(known, map)).unwrap_or_else(|| {
+        maps.push(Arc::clone(map));
+        maps.len() - 1
+    })
+}
+
+/// Drops what was used longest ago, until all takes no more than [`KEPT_BYTES`]; what was used `now` stays.
+fn make_room<T>(kept: &mut Vec<T>, now: u64, of: impl Fn(&T) -> (u64, u64)) {
+    let mut bytes: u64 = kept.iter().map(|one| of(one).1).sum();
+    while bytes > KEPT_BYTES {
+        let oldest = (0..kept.len()).filter(|index| of(&kept[*index]).0 < now).min_by_key(|index| of(&kept[*index]).0);
+        let Some(oldest) = oldest else { return };
+        bytes -= of(&kept.remove(oldest)).1;
     }
 }
 
@@ -235,6 +312,20 @@ mod tests {
     use image::Rgba;
 
     use super::*;
+
+    #[test]
+    fn room_is_made_by_dropping_what_was_used_longest_ago_and_never_what_is_drawn() {
+        let half = KEPT_BYTES / 2;
+        let mut kept = vec![(3, half), (1, half), (2, half), (9, 2 * half)];
+        make_room(&mut kept, 9, |one| *one);
+        assert_eq!(kept, [(9, 2 * half)]);
+        let mut kept = vec![(2, half), (1, half / 2), (9, half / 2)];
+        make_room(&mut kept, 9, |one| *one);
+        assert_eq!(kept.len(), 3, "as long as there is room all of it stays");
+        let mut kept = vec![(9, 2 * half), (9, half)];
+        make_room(&mut kept, 9, |one| *one);
+        assert_eq!(kept.len(), 2);
+    }
 
     #[test]
     fn a_wiped_picture_shows_each_side_on_its_side() {

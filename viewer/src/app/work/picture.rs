@@ -109,14 +109,14 @@ impl Studio {
                 let Painted { image, cost } = painter.paint(shot)?;
                 self.number += 1;
                 let image = Arc::new(color_image(&image));
-                let side = shot.sides.first();
+                let chosen = shot.sides.first().and_then(|side| side.sitters.get(shot.chosen));
                 reply(PictureReply::Shown(Shown {
                     image,
                     cost,
                     stillness: *stillness,
                     number: self.number,
-                    map: side.map(|side| Arc::clone(&side.map)),
-                    surface: side.and_then(|side| side.surface.clone()),
+                    map: chosen.and_then(|sitter| sitter.maps.first().cloned()),
+                    surface: chosen.and_then(|sitter| sitter.surface.clone()),
                 }));
             }
             PictureRequest::Thumbnail(request) => {

@@ -21,8 +21,10 @@ pub struct Results {
     pub map_problem: Option<String>,
     /// What the checks found, and about which map.
     pub report: Option<(Arc<MadeMap>, Arc<Report>)>,
-    /// The mesh.
+    /// The mesh of the chosen object.
     pub mesh: Option<Arc<LoadedMesh>>,
+    /// Those of all objects, as far as they are there.
+    pub meshes: Vec<Arc<LoadedMesh>>,
     /// Why strokes cannot follow it.
     pub surface_problem: Option<String>,
     /// The picture of the view.

@@ -79,10 +79,17 @@ impl Subject {
     /// What all these ways together need of the surface; their field in any case.
     pub(super) fn surface_options<'a>(&self, ways: impl IntoIterator<Item = &'a RenderParams>) -> SurfaceOptions {
         let lights: &Lights = &self.scene.lights;
-        let mut all = SurfaceOptions { field: self.look.field_options(lights), ..SurfaceOptions::default() };
+        let mut all = SurfaceOptions {
+            field: self.look.field_options(lights, self.scene.world_from_mesh),
+            ..SurfaceOptions::default()
+        };
         for params in ways {
             let look = Look { params: *params, ..self.look.clone() };
-            let Some(SurfaceOptions { patches, lapped, stripes, .. }) = look.surface_options(lights) else { continue };
+            let Some(SurfaceOptions { patches, lapped, stripes, .. }) =
+                look.surface_options(lights, self.scene.world_from_mesh)
+            else {
+                continue;
+            };
             all.patches = all.patches.or(patches);
             all.lapped = all.lapped.or(lapped);
             all.stripes = all.stripes.or(stripes);

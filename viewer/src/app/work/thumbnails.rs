@@ -6,7 +6,7 @@ use image::RgbaImage;
 use tam_gen::{Job, Preset};
 
 use super::super::state::MeshSource;
-use super::painter::{Painter, Shot, Side};
+use super::painter::{Painter, Shot, Side, Sitter};
 use crate::maps::HatchMap;
 use crate::mesh::sample::Sample;
 use crate::mesh::{Mesh, load, prepare};
@@ -57,11 +57,13 @@ impl Thumbnails {
             Subject::Mesh(source) => self.mesh(source),
         };
         let Some(side) = side else { return Ok(None) };
-        let mut scene = Scene::of(&side.mesh);
+        let mesh = &side.sitters[0].mesh;
+        let mut scene = Scene::default();
         scene.lights.lights = vec![Light::from_angles(-38.0, 42.0)];
-        let points: Vec<_> = side.mesh.positions.iter().map(|position| position.as_dvec3()).collect();
+        let points: Vec<_> = mesh.positions.iter().map(|position| position.as_dvec3()).collect();
         scene.camera.frame_points(&points, 1.0, 0.08);
-        let shot = Shot { size_px: [SIDE_PX; 2], samples: 4, scene, pose: None, sides: vec![side], split: 1.0 };
+        let shot =
+            Shot { size_px: [SIDE_PX; 2], samples: 4, scene, pose: None, sides: vec![side], split: 1.0, chosen: 0 };
         Ok(Some(painter.paint(&shot)?.image))
     }
 
@@ -86,7 +88,9 @@ impl Thumbnails {
             silhouettes: Some(Silhouettes { width_px: 1.2, ..Silhouettes::default() }),
             ..RenderParams::default()
         };
-        Some(Side { params, mesh, surface: Some(surface), map: Arc::new(map), colours: linear_colours(preset) })
+        let (paper, ink) = linear_colours(preset);
+        let sitter = Sitter { surface: Some(surface), ..Sitter::plain(params, mesh, Arc::new(map), ink) };
+        Some(Side { sitters: vec![sitter], paper })
     }
 
     fn mesh(&mut self, source: &MeshSource) -> Option<Side> {
@@ -110,8 +114,8 @@ impl Thumbnails {
             silhouettes: Some(Silhouettes { width_px: 1.2, ..Silhouettes::default() }),
             ..RenderParams::default()
         };
-        let colours = ([0.9, 0.89, 0.87], [0.05, 0.05, 0.06]);
-        Some(Side { params, mesh: Arc::new(mesh), surface: None, map, colours })
+        let sitter = Sitter::plain(params, Arc::new(mesh), map, [0.05, 0.05, 0.06]);
+        Some(Side { sitters: vec![sitter], paper: [0.9, 0.89, 0.87] })
     }
 }
 

@@ -32,8 +32,11 @@ impl Engine {
         }
         for reply in self.other_maps.replies() {
             match reply {
-                Ok(made) => self.other_map = Some(made),
-                Err(problem) => notice(Severity::Error, problem),
+                Ok(made) => self.other_maps_made.push(made),
+                Err(problem) => {
+                    self.other_maps_failed.extend(self.asked.other_map.take());
+                    notice(Severity::Error, problem);
+                }
             }
         }
         for (map, report) in self.checks.replies() {
@@ -43,15 +46,21 @@ impl Engine {
                 (_, Err(problem)) => notice(Severity::Error, problem),
             }
         }
+        let mut loaded = false;
         for reply in self.meshes.replies() {
             match reply.result {
                 Ok(mesh) => {
                     self.refused.clear();
-                    self.made.retain(|made| Arc::ptr_eq(&made.request.mesh, &mesh.mesh));
-                    results.mesh = Some(mesh);
+                    results.meshes.retain(|known| known.source != mesh.source);
+                    results.meshes.push(Arc::clone(&mesh));
+                    if self.asked.mesh.as_ref() == Some(&mesh.source) {
+                        results.mesh = Some(mesh);
+                    }
+                    loaded = true;
                 }
                 Err(problem) => {
                     notice(Severity::Error, problem);
+                    self.meshes_failed.push(reply.source.clone());
                     if self.asked.mesh.as_ref() == Some(&reply.source) {
                         // What is shown needs not be loaded again.
                         self.asked.mesh = results.mesh.as_ref().map(|mesh| mesh.source.clone());
@@ -60,9 +69,13 @@ impl Engine {
                 }
             }
         }
+        if loaded {
+            self.forget_cuts(&results.meshes);
+        }
+        let room = SURFACES.max(self.needed + 2);
         for reply in self.surfaces.replies() {
             match reply {
-                SurfaceReply::Made(made) => keep(&mut self.made, *made),
+                SurfaceReply::Made(made) => keep(&mut self.made, *made, room),
                 SurfaceReply::Failed(request, problem) => {
                     notice(Severity::Error, problem.clone());
                     results.surface_problem = Some(problem);
@@ -104,7 +117,7 @@ impl Engine {
         for made in self.measuring.collect(results) {
             // What was made for a mesh that is still there saves the view from making it again.
             if results.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(&mesh.mesh, &made.request.mesh)) {
-                keep(&mut self.made, made);
+                keep(&mut self.made, made, room);
             }
         }
         (notices, back)
@@ -112,8 +125,8 @@ impl Engine {
 }
 
 /// Keeps a surface, in place of the oldest.
-fn keep(kept: &mut Vec<MadeSurface>, made: MadeSurface) {
-    if kept.len() >= SURFACES {
+fn keep(kept: &mut Vec<MadeSurface>, made: MadeSurface, room: usize) {
+    if kept.len() >= room {
         kept.remove(0);
     }
     kept.push(made);

@@ -1,6 +1,8 @@
-//! How far the camera has to be when it goes around the mesh.
+//! How far the camera has to be when it goes around what is seen.
 
 use std::sync::Arc;
+
+use glam::DMat4;
 
 use crate::Camera;
 use crate::mesh::Mesh;
@@ -18,7 +20,7 @@ pub(super) struct Round {
 
 /// What distances depend on.
 struct Asked {
-    mesh: Arc<Mesh>,
+    placed: Vec<(Arc<Mesh>, DMat4)>,
     /// At distance 0.
     camera: Camera,
     view_px: [u32; 2],
@@ -38,10 +40,16 @@ impl Round {
     /// The distance of a camera that goes around a mesh, for a view of this size that shows it as it stands still: where
     /// that shows the mesh whole, every frame does. A view that shows only part of it, as somebody has come nearer, stays
     /// as near in proportion; none comes nearer than it is.
-    pub(super) fn distance(&mut self, camera: &Camera, mesh: &Arc<Mesh>, view_px: [u32; 2], frame_px: [u32; 2]) -> f64 {
+    pub(super) fn distance(
+        &mut self,
+        camera: &Camera,
+        placed: &[(Arc<Mesh>, DMat4)],
+        view_px: [u32; 2],
+        frame_px: [u32; 2],
+    ) -> f64 {
         // Nothing was seen yet but what is written now.
         let view_px = if view_px.contains(&0) { frame_px } else { view_px };
-        let asked = Asked { mesh: Arc::clone(mesh), camera: Camera { distance: 0.0, ..*camera }, view_px, frame_px };
+        let asked = Asked { placed: placed.to_vec(), camera: Camera { distance: 0.0, ..*camera }, view_px, frame_px };
         let whole = match &self.known {
             Some((known, whole)) if *known == asked => *whole,
             _ => asked.whole(),
@@ -54,7 +62,11 @@ impl Round {
 
 impl PartialEq for Asked {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.mesh, &other.mesh)
+        let same = |((own, at), (other, other_at)): (&(Arc<Mesh>, DMat4), &(Arc<Mesh>, DMat4))| {
+            Arc::ptr_eq(own, other) && at == other_at
+        };
+        self.placed.len() == other.placed.len()
+            && self.placed.iter().zip(&other.placed).all(same)
             && (self.camera, self.view_px, self.frame_px) == (other.camera, other.view_px, other.frame_px)
     }
 }
@@ -62,7 +74,9 @@ impl PartialEq for Asked {
 impl Asked {
     fn whole(&self) -> Whole {
         let aspect = |[width, height]: [u32; 2]| f64::from(width) / f64::from(height);
-        let points = self.mesh.positions.iter().map(|position| position.as_dvec3());
+        let points = self.placed.iter().flat_map(|(mesh, world)| {
+            mesh.positions.iter().map(|position| world.transform_point3(position.as_dvec3()))
+        });
         let rings = swept(points.clone(), self.camera.target);
         Whole {
             still: self.camera.fit_points(points, aspect(self.view_px), MARGIN),
@@ -114,7 +128,8 @@ mod tests {
             for elevation_deg in [-90.0, 0.0, 18.0, 60.0] {
                 let camera = framed(&mesh, elevation_deg);
                 for frame_px in [VIEW_PX, [512, 512]] {
-                    let distance = Round::default().distance(&camera, &mesh, VIEW_PX, frame_px);
+                    let placed = [(Arc::clone(&mesh), DMat4::IDENTITY)];
+                    let distance = Round::default().distance(&camera, &placed, VIEW_PX, frame_px);
                     assert!(distance >= camera.distance);
                     let out = outermost(&mesh, Camera { distance, ..camera }, frame_px);
                     let what = format!("{} from {elevation_deg} degrees in {frame_px:?}: {out}", sample.name());
@@ -135,7 +150,7 @@ mod tests {
         let camera = framed(&mesh, 18.0);
         let mut of = |share: f64| {
             let nearer = Camera { distance: camera.distance * share, ..camera };
-            round.distance(&nearer, &mesh, VIEW_PX, VIEW_PX) / camera.distance
+            round.distance(&nearer, &[(Arc::clone(&mesh), DMat4::IDENTITY)], VIEW_PX, VIEW_PX) / camera.distance
         };
         let (whole, near, far) = (of(1.0), of(0.25), of(3.0));
         assert!(whole > 1.0 && (near - whole * 0.25).abs() < 1e-9 && far == 3.0, "{whole} {near} {far}");
