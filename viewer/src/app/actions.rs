@@ -88,7 +88,7 @@ const NUMBER_KEYS: [Key; 9] =
 pub(crate) fn actions(state: &State) -> Vec<Action> {
     let mut all = Vec::with_capacity(90);
     files(state, &mut all);
-    edits(&mut all);
+    edits(state, &mut all);
     looks(state, &mut all);
     views(state, &mut all);
     lights(state, &mut all);
@@ -102,6 +102,7 @@ pub(crate) fn is_possible(action: &Action, state: &State, history: &History) -> 
         Command::Undo => history.has_undo(state),
         Command::Redo => history.has_redo(state),
         Command::Revert => state.is_unsaved() && state.saved_preset().is_some(),
+        Command::RemoveObject(_) | Command::Choose(_) => state.document.object_count() > 1,
         Command::SaveGuides(_) => !state.document.look.guides.is_empty(),
         _ => true,
     }
@@ -150,6 +151,9 @@ fn files(state: &State, all: &mut Vec<Action>) {
     list.add("Save preset as…", ctrl_shift(Key::S), Command::SaveAs(None));
     list.add("Duplicate preset", ctrl(Key::D), Command::Duplicate);
     list.add("Revert preset to the saved one", None, Command::Revert);
+    list.add("Open scene…", None, Command::OpenScene(None));
+    list.add("Save scene…", None, Command::SaveScene(None));
+    list.add("Copy as command line", ctrl_shift(Key::C), Command::CopyCommand);
     list.add("Export map", ctrl(Key::E), Command::Export);
     list.add("Save picture…", ctrl_shift(Key::P), Command::SavePicture(None));
     list.add("Save turntable…", None, Command::SaveTurntable(None));
@@ -161,13 +165,19 @@ fn files(state: &State, all: &mut Vec<Action>) {
     list.add("Quit", ctrl(Key::Q), Command::Quit);
 }
 
-fn edits(all: &mut Vec<Action>) {
+fn edits(state: &State, all: &mut Vec<Action>) {
     let mut list = List { all, group: Group::Edit };
     list.add("Undo", ctrl(Key::Z), Command::Undo);
     list.add("Redo", ctrl_shift(Key::Z), Command::Redo);
     list.add("Undo camera move", plain(Key::OpenBracket), Command::UndoView);
     list.add("Redo camera move", plain(Key::CloseBracket), Command::RedoView);
     list.add("Randomise strokes", ctrl(Key::R), Command::Randomise);
+    list.add("Add an object from a file…", None, Command::AddObject(None));
+    list.add("Duplicate the chosen object", ctrl_shift(Key::D), Command::DuplicateObject);
+    let chosen = state.document.chosen();
+    list.add("Remove the chosen object", None, Command::RemoveObject(chosen));
+    let next = (chosen + 1) % state.document.object_count();
+    list.add("Choose the next object", plain(Key::N), Command::Choose(next));
 }
 
 fn looks(state: &State, all: &mut Vec<Action>) {

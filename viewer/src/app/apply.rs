@@ -11,8 +11,11 @@ use super::command::Command;
 use super::history::History;
 use super::layout::{Pane, default_layout};
 use super::randomise::randomised;
-use super::state::{Dialog, Document, MeshBefore, MeshSource, Notice, PresetSource, Severity, State};
+use super::scenes;
+use super::state::{Dialog, Document, MeshBefore, MeshSource, Notice, PresetSource, Severity, Standing, State};
+use crate::scene_file::SceneFile;
 use crate::surface::guides;
+pub(crate) use saving::{command_line, save_scene};
 use saving::{save, save_guides, with_extension};
 
 /// State with its past and its panels.
@@ -44,6 +47,10 @@ pub enum Effect {
     CancelFit,
     /// Show a folder to the user.
     Reveal(PathBuf),
+    /// Write the scene, with the parts of its meshes.
+    SaveScene(PathBuf),
+    /// Copy the command that draws the view.
+    CopyCommand,
     /// Load the mesh again though its name is the same.
     ReloadMesh,
     /// Close the window.
@@ -59,6 +66,12 @@ pub enum Ask {
     SavePreset(String),
     /// A mesh to open.
     OpenMesh,
+    /// A mesh that becomes another object.
+    AddObject,
+    /// A scene to open.
+    OpenScene,
+    /// Where to save the scene, which has this name.
+    SaveScene(String),
     /// The folder of exports.
     ExportFolder,
     /// Where to save a picture.
@@ -115,6 +128,20 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
                 state.settings.locked.push(key);
             }
         }
+        Command::Choose(index) => state.document.choose(index),
+        Command::AddObject(Some(mesh)) => add_object(state, mesh),
+        Command::AddObject(None) => return vec![Effect::Ask(Ask::AddObject)],
+        Command::DuplicateObject => {
+            let document = &mut state.document;
+            let mut copy = document.object(document.chosen()).to_owned();
+            copy.standing.place.translation.x += BESIDE * copy.standing.place.scale;
+            if !copy.standing.name.is_empty() {
+                copy.standing.name += " copy";
+            }
+            document.add_object(copy);
+        }
+        Command::RemoveObject(index) => state.document.remove_object(index),
+        Command::SetStanding(index, standing) => state.document.set_standing(index, *standing),
         Command::SetCamera(camera) => state.camera = camera,
         Command::FrameMesh => state.transient.frame_mesh = true,
 
@@ -139,7 +166,11 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
             }
         }
 
-        Command::OpenShipped(_) | Command::OpenPreset(Some(_)) | Command::NewPreset | Command::Quit
+        Command::OpenShipped(_)
+        | Command::OpenPreset(Some(_))
+        | Command::OpenScene(Some(_))
+        | Command::NewPreset
+        | Command::Quit
             if state.is_unsaved() =>
         {
             state.transient.dialog = Some(Dialog::Unsaved(Box::new(command)));
@@ -152,7 +183,11 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
             state.transient.dialog = None;
             return apply(model, *command);
         }
-        Command::OpenShipped(_) | Command::OpenPreset(Some(_)) | Command::NewPreset | Command::Quit => {
+        Command::OpenShipped(_)
+        | Command::OpenPreset(Some(_))
+        | Command::OpenScene(Some(_))
+        | Command::NewPreset
+        | Command::Quit => {
             return discard(model, command);
         }
         Command::OpenPreset(None) => return vec![Effect::Ask(Ask::OpenPreset)],
@@ -185,6 +220,10 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
                 return vec![Effect::ReloadMesh];
             }
         }
+        Command::OpenScene(None) => return vec![Effect::Ask(Ask::OpenScene)],
+        Command::SaveScene(Some(path)) => return vec![Effect::SaveScene(path)],
+        Command::SaveScene(None) => return vec![Effect::Ask(Ask::SaveScene(scene_name(state)))],
+        Command::CopyCommand => return vec![Effect::CopyCommand],
         Command::OpenMesh(None) => return vec![Effect::Ask(Ask::OpenMesh)],
         Command::OpenFiles(paths) => {
             return paths.into_iter().flat_map(|path| open_file(model, path)).collect();
@@ -256,6 +295,7 @@ fn discard(model: &mut Model, command: Command) -> Vec<Effect> {
             None => tell(state, Severity::Error, format!("No preset that comes with the tool is called {name}.")),
         },
         Command::OpenPreset(Some(path)) => open_preset(state, &path),
+        Command::OpenScene(Some(path)) => open_scene(state, &path),
         Command::NewPreset => {
             let preset = Preset::default();
             open(state, PresetSource::New("untitled".to_owned()), preset);
@@ -267,6 +307,48 @@ fn discard(model: &mut Model, command: Command) -> Vec<Effect> {
         other => return apply(model, other),
     }
     Vec::new()
+}
+
+/// How far a new object stands beside another: meshes are 2 units long.
+const BESIDE: f64 = 2.2;
+
+/// Adds an object of a mesh beside the last one, in the look of the chosen one.
+fn add_object(state: &mut State, mesh: MeshSource) {
+    if let MeshSource::File(path) = &mesh {
+        state.remember_mesh(path);
+    }
+    let document = &mut state.document;
+    let mut object = document.object(document.chosen()).to_owned();
+    let right = document.objects().map(|object| object.standing.place.translation.x).fold(f64::MIN, f64::max);
+    object.standing = Standing::default();
+    object.standing.place.translation.x = right + BESIDE;
+    object.mesh = mesh;
+    object.materials.clear();
+    object.look.guides.clear();
+    document.add_object(object);
+    state.transient.frame_mesh = true;
+}
+
+/// Opens a scene file in place of the document.
+fn open_scene(state: &mut State, path: &Path) {
+    let opened = SceneFile::load(path).map_err(|error| error.to_string()).and_then(|mut file| {
+        file.name_objects();
+        scenes::from_file(&file, &state.camera).map_err(|problem| format!("{}: {problem}", path.display()))
+    });
+    match opened {
+        Ok(opened) => {
+            for object in opened.document.objects() {
+                state.saved.insert(object.source.key(), object.preset.clone());
+            }
+            state.document = opened.document;
+            state.camera = opened.camera;
+            state.transient.frame_mesh = opened.frames;
+            state.transient.motion = None;
+            state.transient.mesh_before = None;
+            opened.left_out.into_iter().for_each(|text| tell(state, Severity::Warning, text));
+        }
+        Err(problem) => tell(state, Severity::Error, problem),
+    }
 }
 
 /// Shows a mesh from where it is seen whole, with its own materials.
@@ -286,7 +368,13 @@ fn set_mesh(state: &mut State, mesh: MeshSource) {
 
 /// Brings a document of the history back.
 fn back_to(state: &mut State, document: Document) {
-    state.transient.frame_mesh |= document.mesh != state.document.mesh;
+    // Choosing another object is a step as well, which moves nothing.
+    let shown = |document: &Document| {
+        let mut meshes: Vec<String> = document.objects().map(|object| format!("{:?}", object.mesh)).collect();
+        meshes.sort_unstable();
+        meshes
+    };
+    state.transient.frame_mesh |= shown(&document) != shown(&state.document);
     state.document = document;
 }
 
@@ -309,6 +397,9 @@ fn open_preset(state: &mut State, path: &Path) {
 /// Opens a file that was dropped, by its kind.
 fn open_file(model: &mut Model, path: PathBuf) -> Vec<Effect> {
     let kind = path.extension().map(|kind| kind.to_string_lossy().to_lowercase()).unwrap_or_default();
+    if kind == "toml" && crate::scene_file::is_scene(&path) {
+        return apply(model, Command::OpenScene(Some(path)));
+    }
     if kind == "toml" {
         return apply(model, Command::OpenPreset(Some(path)));
     }
@@ -319,12 +410,18 @@ fn open_file(model: &mut Model, path: PathBuf) -> Vec<Effect> {
         return apply(model, Command::OpenGuides(Some(path)));
     }
     let text = format!(
-        "{} is nothing that can be opened: presets are .toml, meshes {}, guides .json.",
+        "{} is nothing that can be opened: presets and scenes are .toml, meshes {}, guides .json.",
         path.display(),
         MESH_KINDS.map(|kind| format!(".{kind}")).join(", ")
     );
     tell(&mut model.state, Severity::Error, text);
     Vec::new()
+}
+
+fn scene_name(state: &State) -> String {
+    let mesh = state.document.mesh.name();
+    let stem = Path::new(&mesh).file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    if state.document.object_count() == 1 { format!("{stem}-scene") } else { "scene".to_owned() }
 }
 
 fn picture_name(state: &State) -> String {

@@ -7,6 +7,7 @@ use rfd::{AsyncFileDialog, FileHandle};
 
 use super::apply::{Ask, MESH_KINDS};
 use super::command::Command;
+use super::state::MeshSource;
 use super::work::Wake;
 
 /// Open dialogs and their answers.
@@ -53,6 +54,11 @@ fn dialog(ask: &Ask) -> AsyncFileDialog {
             dialog.set_title("Save preset").add_filter("Preset", &["toml"]).set_file_name(format!("{name}.toml"))
         }
         Ask::OpenMesh => dialog.set_title("Load mesh").add_filter("Mesh", &MESH_KINDS),
+        Ask::AddObject => dialog.set_title("Add mesh").add_filter("Mesh", &MESH_KINDS),
+        Ask::OpenScene => dialog.set_title("Open scene").add_filter("Scene", &["toml"]),
+        Ask::SaveScene(name) => {
+            dialog.set_title("Save scene").add_filter("Scene", &["toml"]).set_file_name(format!("{name}.toml"))
+        }
         Ask::ExportFolder => dialog.set_title("Folder of exports"),
         Ask::SavePicture(name) => dialog.set_title("Save picture").add_filter("PNG", &["png"]).set_file_name(name),
         Ask::SaveTurntable(name) => {
@@ -67,9 +73,9 @@ fn dialog(ask: &Ask) -> AsyncFileDialog {
 
 async fn answer(dialog: AsyncFileDialog, ask: &Ask) -> Option<PathBuf> {
     let chosen: Option<FileHandle> = match ask {
-        Ask::OpenPreset | Ask::OpenMesh | Ask::OpenGuides => dialog.pick_file().await,
+        Ask::OpenPreset | Ask::OpenMesh | Ask::AddObject | Ask::OpenScene | Ask::OpenGuides => dialog.pick_file().await,
         Ask::ExportFolder => dialog.pick_folder().await,
-        Ask::SavePreset(_) | Ask::SavePicture(_) | Ask::SaveTurntable(_) | Ask::SaveGuides(_) => {
+        Ask::SavePreset(_) | Ask::SaveScene(_) | Ask::SavePicture(_) | Ask::SaveTurntable(_) | Ask::SaveGuides(_) => {
             dialog.save_file().await
         }
     };
@@ -81,6 +87,9 @@ fn command(ask: &Ask, path: PathBuf) -> Command {
         Ask::OpenPreset => Command::OpenPreset(Some(path)),
         Ask::SavePreset(_) => Command::SaveAs(Some(path)),
         Ask::OpenMesh => Command::OpenMesh(Some(path)),
+        Ask::AddObject => Command::AddObject(Some(MeshSource::File(path))),
+        Ask::OpenScene => Command::OpenScene(Some(path)),
+        Ask::SaveScene(_) => Command::SaveScene(Some(path)),
         Ask::ExportFolder => Command::ExportInto(path),
         Ask::SavePicture(_) => Command::SavePicture(Some(path)),
         Ask::SaveTurntable(_) => Command::SaveTurntable(Some(path)),

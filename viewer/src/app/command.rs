@@ -7,7 +7,7 @@ use tam_gen::Preset;
 use super::layout::Pane;
 use super::state::{
     CellView, ChartSettings, ChartView, Compare, Dialog, ExportSettings, FitSettings, Look, MeshSource, Motion,
-    Navigation, PictureSettings, Theme, Tool, TurntableSettings,
+    Navigation, PictureSettings, Standing, Theme, Tool, TurntableSettings,
 };
 use crate::Camera;
 use crate::scene::{Lights, Material};
@@ -35,6 +35,16 @@ pub enum Command {
     Randomise,
     /// Lock a stroke number, or no longer.
     Lock(String, bool),
+    /// Choose an object by its number: panels show and change it.
+    Choose(usize),
+    /// Add an object of a mesh, or ask which file.
+    AddObject(Option<MeshSource>),
+    /// Add a copy of the chosen object.
+    DuplicateObject,
+    /// Take an object away.
+    RemoveObject(usize),
+    /// Change name, place and parts of an object.
+    SetStanding(usize, Box<Standing>),
     /// Move the camera.
     SetCamera(Camera),
     /// Show the whole mesh.
@@ -67,6 +77,12 @@ pub enum Command {
     Reload,
     /// Load a mesh file, or ask which.
     OpenMesh(Option<PathBuf>),
+    /// Open a scene file, or ask which.
+    OpenScene(Option<PathBuf>),
+    /// Save the scene to this file, or ask where to.
+    SaveScene(Option<PathBuf>),
+    /// Put the command that draws the view on the clipboard.
+    CopyCommand,
     /// Open files, whatever they are.
     OpenFiles(Vec<PathBuf>),
     /// Forget the recent files.

@@ -18,6 +18,7 @@ mod panels;
 mod pick;
 mod randomise;
 mod run;
+mod scenes;
 mod session;
 mod state;
 mod style;

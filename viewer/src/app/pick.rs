@@ -1,6 +1,6 @@
 //! Where the mouse points on a mesh.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DMat4, DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use crate::Camera;
@@ -24,6 +24,15 @@ impl Ray {
         let along = camera.forward() + right * (at.x * half * aspect) + up * (at.y * half);
         Self { from: camera.place(), along: along.normalize() }
     }
+}
+
+/// The nearest point, in the world, of a mesh at rest that stands somewhere, and how far it is.
+pub(crate) fn pick_placed(mesh: &Mesh, world_from_mesh: DMat4, ray: &Ray) -> Option<(DVec3, f64)> {
+    let mesh_from_world = world_from_mesh.inverse();
+    let along = mesh_from_world.transform_vector3(ray.along);
+    let in_mesh = Ray { from: mesh_from_world.transform_point3(ray.from), along: along.normalize() };
+    let point = world_from_mesh.transform_point3(pick(mesh, &in_mesh)?);
+    Some((point, point.distance(ray.from)))
 }
 
 /// The nearest point of a mesh at rest on a ray.
@@ -58,6 +67,20 @@ mod tests {
     use super::*;
     use crate::mesh::prepare;
     use crate::mesh::sample::Sample;
+
+    #[test]
+    fn a_mesh_that_stands_elsewhere_is_picked_there() {
+        let mesh = prepare(Sample::Sphere.build(20_000)).expect("a sphere").mesh;
+        let camera = Camera::default();
+        let middle = DVec3::new(0.5, 0.3, -0.4);
+        let world =
+            DMat4::from_translation(middle) * DMat4::from_rotation_y(1.0) * DMat4::from_scale(DVec3::splat(0.4));
+        let at = camera.clip_from_world([300, 200], 2.0).project_point3(middle).truncate();
+        let (point, distance) = pick_placed(&mesh, world, &Ray::through(&camera, at, 1.5)).expect("it is hit");
+        assert!((point.distance(middle) - 0.4).abs() < 2e-3, "{point}");
+        assert!((distance - point.distance(camera.place())).abs() < 1e-9);
+        assert!(pick_placed(&mesh, world, &Ray::through(&camera, -at, 1.5)).is_none());
+    }
 
     #[test]
     fn what_is_picked_is_under_the_mouse_and_on_the_near_side() {

@@ -12,7 +12,7 @@ use egui_tiles::{SimplificationOptions, TileId, UiResponse};
 use glam::DVec3;
 
 use super::actions::{Action, actions, is_possible};
-use super::apply::{Effect, Model, apply, tell};
+use super::apply::{Effect, Model, apply, command_line, save_scene, tell};
 use super::ask::Asker;
 use super::command::Command;
 use super::history::History;
@@ -258,6 +258,15 @@ impl App {
             Effect::SaveTurntable(path) => {
                 started = self.engine.save_turntable(&self.model.state, &self.results, path);
             }
+            Effect::SaveScene(path) => save_scene(&mut self.model.state, &self.results, &path),
+            Effect::CopyCommand => match command_line(&self.model.state, &self.results, self.view.size_px) {
+                Ok(command) => {
+                    ctx.copy_text(command);
+                    let text = "The command that draws this view is on the clipboard.";
+                    tell(&mut self.model.state, Severity::Done, text.to_owned());
+                }
+                Err(problem) => tell(&mut self.model.state, Severity::Warning, problem),
+            },
             Effect::CancelFile => self.engine.cancel_file(),
             Effect::Fit => started = self.engine.fit(&self.model.state, &mut self.results, self.view.size_px),
             Effect::CancelFit => self.engine.cancel_fit(),

@@ -86,6 +86,9 @@ pub(super) fn field(
             FieldSource::Curvature
         }
     };
+    if let Some(path) = &look.guides {
+        guides.extend(guides::read(path).map_err(|error| report::guides(path, &error))?);
+    }
     Ok(FieldOptions { source, smoothing: look.smoothing.unwrap_or(1.0), guides })
 }
 

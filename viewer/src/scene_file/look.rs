@@ -103,6 +103,8 @@ pub struct LookEntry {
     pub borders: Option<bool>,
     /// What strokes follow.
     pub field: Option<FieldEntry>,
+    /// Strokes drawn on the surface, from a file, which the field follows.
+    pub guides: Option<PathBuf>,
     /// How far directions spread.
     pub smoothing: Option<f64>,
     /// Stripes per unit at their coarsest.
@@ -286,6 +288,14 @@ impl LookEntry {
             FieldEntry::written,
             "What strokes follow with patches, lapped and stripes"
         ),
+        word!(
+            "guides",
+            Kind::Text("a file of guides"),
+            guides,
+            path,
+            |guides| Given::Text(guides.display().to_string()),
+            "Strokes drawn on the surface, which the field follows"
+        ),
         number!("smoothing", ranges::SMOOTHING, smoothing, "How far directions spread, as a multiple of the default"),
         number!("stripes", ranges::LINES_PER_UNIT, stripes, "Stripes per unit at their coarsest"),
         word!(
@@ -356,6 +366,7 @@ impl LookEntry {
             contours: self.contours.or(base.contours),
             borders: self.borders.or(base.borders),
             field: self.field.as_ref().or(base.field.as_ref()).cloned(),
+            guides: self.guides.as_ref().or(base.guides.as_ref()).cloned(),
             smoothing: self.smoothing.or(base.smoothing),
             stripes: self.stripes.or(base.stripes),
             follow: self.follow.or(base.follow),
@@ -432,7 +443,7 @@ impl LookEntry {
             Some(FieldEntry::Guides(path)) => Some(path),
             _ => None,
         };
-        self.map.iter_mut().chain(guides)
+        self.map.iter_mut().chain(guides).chain(&mut self.guides)
     }
 }
 
@@ -470,6 +481,7 @@ mod tests {
             ("contours", "false"),
             ("borders", "true"),
             ("field", "guides:strokes.json"),
+            ("guides", "more.json"),
             ("smoothing", "2"),
             ("stripes", "6"),
             ("follow", "light"),

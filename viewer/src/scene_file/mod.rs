@@ -85,6 +85,12 @@ impl SceneFile {
     }
 }
 
+/// Whether a file of TOML is a scene: it has objects.
+pub fn is_scene(path: &Path) -> bool {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    toml::de::DeTable::parse_recoverable(&text).0.get_ref().contains_key("object")
+}
+
 /// Whether what was named is a file: a plain word is the name of a preset or a sample.
 fn is_file(named: &Path) -> bool {
     named.components().count() != 1 || named.extension().is_some()

@@ -57,7 +57,7 @@ impl SceneFile {
 }
 
 /// Words of looks that are no options of their own.
-const ONLY_OF_OBJECTS: [&str; 5] = ["contours", "borders", "colour", "lit", "visible"];
+const ONLY_OF_OBJECTS: [&str; 6] = ["contours", "borders", "guides", "colour", "lit", "visible"];
 
 /// Options for one object or part: its place among `placed`, and the words of its look.
 fn push(

@@ -8,6 +8,7 @@ mod map_pictures;
 mod menu;
 mod notices;
 mod number;
+mod objects;
 mod orbit;
 mod palette;
 mod presets;

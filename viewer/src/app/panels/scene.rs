@@ -1,25 +1,28 @@
-//! Mesh, lights, colours and objects.
+//! Objects, mesh, lights and colours.
 
 use egui::{Color32, Ui};
 use glam::DVec3;
 
-use super::Panel;
 use super::number::{self, Number};
 use super::presets::{Card, cards};
 use super::strokes::section;
+use super::{Panel, objects};
 use crate::app::command::Command;
 use crate::app::state::{MeshSource, State};
 use crate::app::words::counted;
 use crate::mesh::sample::Sample;
-use crate::scene::{Light, LightKind, MAX_LIGHTS, Material};
-use crate::{Scene, ranges};
+use crate::ranges;
+use crate::scene::{Light, LightKind, MAX_LIGHTS};
 
 pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
     egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        section(ui, "Objects", true, |ui| objects::list(panel, ui));
+        let several = panel.state.document.object_count() > 1;
         section(ui, "Mesh", true, |ui| mesh(panel, ui));
+        section(ui, "Place", several, |ui| objects::standing(panel, ui));
         section(ui, "Light", true, |ui| lights(panel, ui));
         section(ui, "Colours", true, |ui| colours(panel, ui));
-        section(ui, "Objects", false, |ui| objects(panel, ui));
+        section(ui, "Parts", false, |ui| objects::parts(panel, ui));
     });
 }
 
@@ -79,7 +82,7 @@ fn mesh(panel: &mut Panel<'_>, ui: &mut Ui) {
     }
     if let Some(mesh) = &panel.results.mesh {
         let text =
-            format!("{}, {}", counted(mesh.mesh.triangles.len(), "triangle"), counted(mesh.mesh.parts.len(), "object"));
+            format!("{}, {}", counted(mesh.mesh.triangles.len(), "triangle"), counted(mesh.mesh.parts.len(), "part"));
         ui.label(egui::RichText::new(text).weak());
         for note in mesh.report.notes() {
             ui.label(egui::RichText::new(format!("· {note}")).weak().small());
@@ -260,60 +263,4 @@ const PAIRS: [(&str, &str, &str); 6] = [
 
 fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-fn objects(panel: &mut Panel<'_>, ui: &mut Ui) {
-    let Some(mesh) = panel.results.mesh.clone() else { return };
-    let mut materials: Vec<Material> = Scene::of(&mesh.mesh).materials;
-    for (own, set) in materials.iter_mut().zip(&panel.state.document.materials) {
-        *own = set.clone();
-    }
-    let before = materials.clone();
-    for (index, (material, part)) in materials.iter_mut().zip(&mesh.mesh.parts).enumerate() {
-        let name = if part.name.is_empty() { format!("Object {}", index + 1) } else { part.name.clone() };
-        ui.push_id(index, |ui| section(ui, &name, before.len() == 1, |ui| object(ui, &name, material)));
-    }
-    if materials != before {
-        panel.ask(Command::SetMaterials(materials));
-    }
-}
-
-fn object(ui: &mut Ui, name: &str, material: &mut Material) {
-    let default = Material::default();
-    ui.horizontal(|ui| {
-        let label = number::name(ui, "Colour", &format!("Under the strokes of {name}"));
-        ui.color_edit_button_rgb(&mut material.colour).labelled_by(label.id);
-    });
-    let plain = |name, doc, min, max, default| Number { name, doc, unit: "", min, max, default, whole: false };
-    number::row(
-        ui,
-        plain("Ambient", "Share of the ambient light that is seen", 0.0, 1.0, default.ambient),
-        &mut material.ambient,
-    );
-    number::row(ui, plain("Diffuse", "Diffuse reflectance", 0.0, 1.0, default.diffuse), &mut material.diffuse);
-    number::row(
-        ui,
-        plain("Highlight", "Strength of the highlight", 0.0, 1.0, default.specular),
-        &mut material.specular,
-    );
-    number::row(
-        ui,
-        plain("Shininess", "How small the highlight is", 1.0, 200.0, default.shininess),
-        &mut material.shininess,
-    );
-    let turn = Number {
-        name: "Turn",
-        doc: "Strokes turned about the normal",
-        unit: "degrees",
-        min: -180.0,
-        max: 180.0,
-        default: 0.0,
-        whole: false,
-    };
-    number::row(ui, turn, &mut material.rotation_deg);
-    number::row(
-        ui,
-        plain("Scale", "Repeats of the tile, relative to the others", 0.1, 8.0, default.scale),
-        &mut material.scale,
-    );
 }

@@ -8,7 +8,7 @@ use super::number::named;
 use super::orbit::{self, Drag};
 use crate::app::actions::{debug_label, mapping_label, method_label};
 use crate::app::command::Command;
-use crate::app::pick::{Ray, pick};
+use crate::app::pick::{Ray, pick_placed};
 use crate::app::state::{Compare, Look, Motion, PresetSource, Tool};
 use crate::params::DebugView;
 use crate::surface::Guide;
@@ -56,6 +56,9 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
             }
             _ => drags(panel, ui, &response, rect),
         }
+    }
+    if !handled && response.clicked() && panel.state.transient.tool == Tool::Navigate {
+        choose_under_pointer(panel, rect, &response);
     }
     if response.hovered() {
         let scroll =
@@ -255,7 +258,7 @@ fn play_controls(panel: &mut Panel<'_>, ui: &mut Ui) {
 
 fn picture(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) {
     let painter = ui.painter_at(rect);
-    let paper = panel.state.document.preset.colours.srgb().map_or([255; 3], |(paper, _)| paper);
+    let paper = panel.state.document.object(0).preset.colours.srgb().map_or([255; 3], |(paper, _)| paper);
     painter.rect_filled(rect, CornerRadius::ZERO, Color32::from_rgb(paper[0], paper[1], paper[2]));
     if let Some(shown) = &panel.results.picture {
         let texture = panel.textures.of(ui.ctx(), "view", shown.number as usize, &shown.image);
@@ -382,6 +385,30 @@ fn drags(panel: &mut Panel<'_>, ui: &Ui, response: &egui::Response, rect: Rect) 
     }
 }
 
+/// The line of sight through a place of the view.
+fn ray_at(camera: &Camera, rect: Rect, at: Pos2) -> Ray {
+    let offset = (at - rect.center()) / (rect.size() * 0.5);
+    let at = DVec2::new(f64::from(offset.x), f64::from(-offset.y));
+    Ray::through(camera, at, f64::from(rect.width() / rect.height()))
+}
+
+/// Chooses the object under the mouse, where there is more than one.
+fn choose_under_pointer(panel: &mut Panel<'_>, rect: Rect, response: &egui::Response) {
+    let document = &panel.state.document;
+    let Some(pointer) = response.interact_pointer_pos().filter(|_| document.object_count() > 1) else { return };
+    let ray = ray_at(&panel.state.camera, rect, pointer);
+    let hit = |(index, object): (usize, crate::app::state::ObjectRef<'_>)| {
+        let loaded = panel.results.meshes.iter().find(|loaded| loaded.source == *object.mesh)?;
+        let world = object.standing.world_from_mesh();
+        let (_, distance) = pick_placed(&loaded.mesh, world, &ray).filter(|_| object.standing.visible)?;
+        Some((index, distance))
+    };
+    let hits = document.objects().enumerate().filter_map(hit);
+    if let Some((index, _)) = hits.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        panel.ask(Command::Choose(index));
+    }
+}
+
 /// Collects the points of a guide under the mouse.
 fn draw_guide(panel: &mut Panel<'_>, ui: &Ui, rect: Rect, response: &egui::Response) {
     if ui.input(|input| input.key_pressed(Key::Escape)) {
@@ -389,10 +416,10 @@ fn draw_guide(panel: &mut Panel<'_>, ui: &Ui, rect: Rect, response: &egui::Respo
     } else if response.dragged() {
         let Some(mesh) = panel.results.mesh.as_ref() else { return };
         let Some(pointer) = response.interact_pointer_pos() else { return };
-        let offset = (pointer - rect.center()) / (rect.size() * 0.5);
-        let at = DVec2::new(f64::from(offset.x), f64::from(-offset.y));
-        let aspect = f64::from(rect.width() / rect.height());
-        let point = pick(&mesh.mesh, &Ray::through(&panel.state.camera, at, aspect));
+        // Guides are kept where the mesh is, not where it stands.
+        let world = panel.state.document.standing.world_from_mesh();
+        let ray = ray_at(&panel.state.camera, rect, pointer);
+        let point = pick_placed(&mesh.mesh, world, &ray).map(|(point, _)| world.inverse().transform_point3(point));
         let step = panel.state.camera.pixel_at_1(rect.height() as u32) * panel.state.camera.distance * 6.0;
         if let Some(point) =
             point.filter(|point| panel.view.guide.last().is_none_or(|last| last.distance(*point) > step))
@@ -416,8 +443,9 @@ fn guides(panel: &Panel<'_>, ui: &Ui, rect: Rect) {
     }
     let camera: &Camera = &panel.state.camera;
     let clip = camera.clip_from_world([rect.width().max(1.0) as u32, rect.height().max(1.0) as u32], 4.0);
+    let world = panel.state.document.standing.world_from_mesh();
     let place = |point: &DVec3| {
-        let at = clip.project_point3(*point);
+        let at = clip.project_point3(world.transform_point3(*point));
         rect.center() + egui::vec2(at.x as f32, -at.y as f32) * rect.size() * 0.5
     };
     let painter = ui.painter_at(rect);

@@ -34,6 +34,8 @@ pub struct Document {
     pub others: Vec<SceneObject>,
     /// How many of them stand before the chosen one.
     pub(super) chosen: usize,
+    /// Colour of the paper, linear light; `None`: that of the first object's preset.
+    pub paper: Option<[f32; 3]>,
     /// Presets that parts of objects name in place of their object's.
     pub part_presets: BTreeMap<PathBuf, Preset>,
     /// Another look or preset beside it.
@@ -55,6 +57,7 @@ impl Default for Document {
             standing: Standing::default(),
             others: Vec::new(),
             chosen: 0,
+            paper: None,
             part_presets: BTreeMap::new(),
             compare: None,
         }

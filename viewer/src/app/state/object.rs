@@ -24,6 +24,8 @@ pub struct Standing {
     pub stretch: DVec3,
     /// Whether it is drawn.
     pub visible: bool,
+    /// What is said of all its parts beside the look: materials, and the ink.
+    pub words: PartEntry,
     /// Parts of the mesh that differ, by their names.
     pub parts: BTreeMap<String, PartEntry>,
 }
@@ -35,6 +37,7 @@ impl Default for Standing {
             place: Place::default(),
             stretch: DVec3::ONE,
             visible: true,
+            words: PartEntry::default(),
             parts: BTreeMap::new(),
         }
     }
@@ -59,6 +62,7 @@ impl Standing {
             name: self.name.clone(),
             place: (self.place != Place::default()).then_some(self.place),
             stretch: (self.stretch != DVec3::ONE).then_some(self.stretch),
+            look: self.words.look.clone(),
             parts: self.parts.clone(),
             ..ObjectEntry::default()
         }
@@ -251,7 +255,7 @@ mod tests {
     fn a_document_of_one_object_without_a_word_of_others_is_read() {
         let mut text = serde_json::to_value(Document::default()).expect("it has a JSON form");
         let fields = text.as_object_mut().expect("a table");
-        for key in ["standing", "others", "chosen", "part_presets"] {
+        for key in ["standing", "others", "chosen", "paper", "part_presets"] {
             fields.remove(key).expect("it is written");
         }
         assert_eq!(serde_json::from_value::<Document>(text).expect("it is whole"), Document::default());

@@ -24,5 +24,6 @@ pub use chart::{ChartResults, MeasuredWay};
 pub(crate) use engine::{Demand, Engine, MARGIN};
 pub use fit::{FitResults, FittedScene};
 pub(crate) use map::MadeMap;
+pub(crate) use mesh::LoadedMesh;
 pub use results::Results;
 pub(crate) use worker::Wake;

@@ -59,7 +59,7 @@ impl Engine {
         motion: Option<Motion>,
     ) -> Option<Shot> {
         let document = &state.document;
-        let paper = linear_colours(document.object(0).preset).0;
+        let paper = document.paper.unwrap_or_else(|| linear_colours(document.object(0).preset).0);
         let wanted = self.wanted(state, &results.meshes, None);
         let (sitters, objects): (Vec<Sitter>, Vec<usize>) =
             wanted.iter().filter_map(|wanted| Some((self.sitter(wanted, state, results)?, wanted.object))).unzip();
