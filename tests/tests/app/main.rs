@@ -4,4 +4,5 @@ mod chart;
 mod controls;
 mod files;
 mod helpers;
+mod scenes;
 mod view;
