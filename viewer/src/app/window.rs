@@ -308,7 +308,7 @@ impl App {
         let state = &mut self.model.state;
         let Some(mesh) = self.results.mesh.as_ref().filter(|mesh| mesh.source == state.document.mesh) else { return };
         let [width, height] = self.view.size_px;
-        if !state.transient.frame_mesh || width == 0 || height == 0 {
+        if !state.transient.frame_mesh || self.results.meshes_to_come || width == 0 || height == 0 {
             return;
         }
         let mut points: Vec<DVec3> = Vec::new();

@@ -49,6 +49,19 @@ pub(super) fn row(ui: &mut Ui, number: Number<'_>, value: &mut f64) -> bool {
     changed
 }
 
+/// Rows for the three coordinates of a point or a stretch: its name, and below it as much room as there is.
+pub(super) fn axes(ui: &mut Ui, title: &str, doc: &str, range: crate::ranges::Range, value: &mut glam::DVec3) {
+    let label = ui.label(title).on_hover_text(doc);
+    ui.horizontal(|ui| {
+        let width = ((ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0).clamp(40.0, 90.0);
+        let size = egui::vec2(width, ui.spacing().interact_size.y);
+        for (axis, value) in [("x ", &mut value.x), ("y ", &mut value.y), ("z ", &mut value.z)] {
+            let drag = egui::DragValue::new(value).speed(0.02).range(range.min..=range.max).prefix(axis);
+            ui.add_sized(size, drag.max_decimals(3)).labelled_by(label.id);
+        }
+    });
+}
+
 /// A row for two numbers in order; whether one was changed.
 pub(super) fn range_row(ui: &mut Ui, number: Number<'_>, default: [f64; 2], range: &mut [f64; 2]) -> bool {
     let before = *range;

@@ -86,7 +86,7 @@ pub(super) fn standing(panel: &mut Panel<'_>, ui: &mut Ui) {
             .labelled_by(label.id);
     });
     let place = &mut standing.place;
-    axes(ui, "Place", "In world units; meshes are 2 units long", &mut place.translation, 0.02, ranges::COORDINATE);
+    number::axes(ui, "Place", "In world units; meshes are 2 units long", ranges::COORDINATE, &mut place.translation);
     let turn = Number {
         name: "Turn about y",
         doc: "About the upright axis, as the camera's azimuth is counted",
@@ -100,7 +100,7 @@ pub(super) fn standing(panel: &mut Panel<'_>, ui: &mut Ui) {
     let size =
         Number { name: "Size", doc: "Factor of all axes", unit: "", min: 0.05, max: 5.0, default: 1.0, whole: false };
     number::row(ui, size, &mut place.scale);
-    axes(ui, "Stretch", "Factors along the mesh's own axes", &mut standing.stretch, 0.01, ranges::SCALE);
+    number::axes(ui, "Stretch", "Factors along the mesh's own axes", ranges::SCALE, &mut standing.stretch);
     let plain = Standing { place: Place::default(), stretch: DVec3::ONE, ..standing.clone() };
     if ui.add_enabled(plain != standing, egui::Button::new("Back to the middle")).clicked() {
         standing = plain;
@@ -108,17 +108,6 @@ pub(super) fn standing(panel: &mut Panel<'_>, ui: &mut Ui) {
     if standing != *before {
         panel.ask(Command::SetStanding(panel.state.document.chosen(), Box::new(standing)));
     }
-}
-
-fn axes(ui: &mut Ui, title: &str, doc: &str, value: &mut DVec3, speed: f64, range: ranges::Range) {
-    ui.horizontal(|ui| {
-        let label = number::name(ui, title, doc);
-        for (axis, value) in [("x ", &mut value.x), ("y ", &mut value.y), ("z ", &mut value.z)] {
-            let drag =
-                egui::DragValue::new(value).speed(speed).range(range.min..=range.max).prefix(axis).max_decimals(3);
-            ui.add(drag).labelled_by(label.id);
-        }
-    });
 }
 
 /// Parts of the chosen object's mesh, each with its material.

@@ -209,13 +209,8 @@ fn one_light(ui: &mut Ui, index: usize, light: &mut Light) {
 }
 
 fn point(ui: &mut Ui, title: &str, point: &mut DVec3) {
-    ui.horizontal(|ui| {
-        let label = number::name(ui, title, "In world units; meshes are 2 units long");
-        for (axis, value) in [("x ", &mut point.x), ("y ", &mut point.y), ("z ", &mut point.z)] {
-            let drag = egui::DragValue::new(value).speed(0.02).range(-100.0..=100.0).prefix(axis).max_decimals(2);
-            ui.add(drag).labelled_by(label.id);
-        }
-    });
+    let range = ranges::Range { min: -100.0, max: 100.0, unit: "units" };
+    number::axes(ui, title, "In world units; meshes are 2 units long", range, point);
 }
 
 fn colours(panel: &mut Panel<'_>, ui: &mut Ui) {

@@ -252,12 +252,13 @@ impl Engine {
             self.forget_cuts(&results.meshes);
         }
         self.meshes_failed.retain(is_wanted);
-        if self.meshes.is_busy() {
-            return;
-        }
         let missing = document.objects().map(|object| object.mesh).find(|source| {
             !results.meshes.iter().any(|mesh| mesh.source == **source) && !self.meshes_failed.contains(source)
         });
+        results.meshes_to_come = missing.is_some();
+        if self.meshes.is_busy() {
+            return;
+        }
         if let Some(source) = missing {
             self.meshes.request(source.clone());
         }

@@ -25,6 +25,8 @@ pub struct Results {
     pub mesh: Option<Arc<LoadedMesh>>,
     /// Those of all objects, as far as they are there.
     pub meshes: Vec<Arc<LoadedMesh>>,
+    /// Whether more of them are still to come.
+    pub meshes_to_come: bool,
     /// Why strokes cannot follow it.
     pub surface_problem: Option<String>,
     /// The picture of the view.
