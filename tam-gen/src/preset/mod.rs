@@ -61,20 +61,33 @@ pub struct Colours {
     pub ink: String,
 }
 
+fn parsed(key: &str, css: &str) -> Result<csscolorparser::Color, String> {
+    csscolorparser::parse(css).map_err(|error| format!("colours.{key} = \"{css}\" is no colour: {error}"))
+}
+
 impl Colours {
+    /// Paper and ink in linear light.
+    ///
+    /// # Errors
+    /// Which of the two is no colour, and why.
+    pub fn linear(&self) -> Result<([f32; 3], [f32; 3]), String> {
+        let linear = |colour: csscolorparser::Color| {
+            let [r, g, b, _] = colour.to_linear_rgba();
+            [r, g, b]
+        };
+        Ok((linear(parsed("paper", &self.paper)?), linear(parsed("ink", &self.ink)?)))
+    }
+
     /// Paper and ink as sRGB.
     ///
     /// # Errors
     /// Which of the two is no colour, and why.
     pub fn srgb(&self) -> Result<([u8; 3], [u8; 3]), String> {
-        let parse = |key: &str, css: &str| match csscolorparser::parse(css) {
-            Ok(colour) => {
-                let [r, g, b, _] = colour.to_rgba8();
-                Ok([r, g, b])
-            }
-            Err(error) => Err(format!("colours.{key} = \"{css}\" is no colour: {error}")),
+        let bytes = |colour: csscolorparser::Color| {
+            let [r, g, b, _] = colour.to_rgba8();
+            [r, g, b]
         };
-        Ok((parse("paper", &self.paper)?, parse("ink", &self.ink)?))
+        Ok((bytes(parsed("paper", &self.paper)?), bytes(parsed("ink", &self.ink)?)))
     }
 }
 

@@ -141,6 +141,7 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
             document.add_object(copy);
         }
         Command::RemoveObject(index) => state.document.remove_object(index),
+        Command::SetPaper(paper) => state.document.paper = paper,
         Command::SetStanding(index, standing) => state.document.set_standing(index, *standing),
         Command::SetCamera(camera) => state.camera = camera,
         Command::FrameMesh => state.transient.frame_mesh = true,

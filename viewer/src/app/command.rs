@@ -43,6 +43,8 @@ pub enum Command {
     DuplicateObject,
     /// Take an object away.
     RemoveObject(usize),
+    /// Change the colour of the paper, linear light; `None`: that of the first object's preset.
+    SetPaper(Option<[f32; 3]>),
     /// Change name, place and parts of an object.
     SetStanding(usize, Box<Standing>),
     /// Move the camera.

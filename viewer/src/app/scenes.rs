@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use glam::{DVec2, DVec3};
 use tam_gen::Preset;
 
-use super::state::{Document, FieldChoice, Look, MeshSource, ObjectRef, PresetSource, SceneObject, Standing, State};
+use super::state::{
+    Document, FieldChoice, Look, MeshSource, ObjectRef, PresetSource, SceneObject, Standing, State, colours_of,
+};
 use super::work::LoadedMesh;
 use crate::mesh::sample::Sample;
 use crate::params::{Blend, Follow, Form, RenderParams, Silhouettes};
 use crate::scene::{Lights, Material};
-use crate::scene_file::value::{self, Colour, OrNone, Specular};
+use crate::scene_file::value::{Colour, OrNone, Specular};
 use crate::scene_file::{
     Camera, FieldEntry, LookEntry, MappingEntry, MeshEntry, ObjectEntry, PartEntry, SceneFile, ViewEntry, part_name,
 };
@@ -46,23 +48,22 @@ pub(super) fn to_file<'a>(
 ) -> Result<SceneFile, String> {
     let document = &state.document;
     let first = document.object(0);
-    let paper = document.paper.unwrap_or_else(|| linear(&first.preset.colours.paper, [1.0; 3]));
     let view = ViewEntry {
         camera: Camera::of(&state.camera),
         lights: document.lights.lights.clone(),
         ambient: Some(document.lights.ambient),
-        paper: Some(Colour(paper)),
+        paper: Some(Colour(document.paper_colour())),
         ..ViewEntry::default()
     };
     let map = beside.preset(first.source, first.preset)?;
-    let ink = linear(&first.preset.colours.ink, [0.0; 3]);
+    let ink = colours_of(first.preset).1;
     let mut file =
         SceneFile { view, look: LookEntry { map: Some(map.clone()), ..LookEntry::default() }, objects: Vec::new() };
     for object in document.objects() {
         let mut entry = object_entry(&object, mesh_of(object.mesh), &document.part_presets, beside)?;
         let own = beside.preset(object.source, object.preset)?;
         entry.look.map = (own != map).then_some(own);
-        let own_ink = linear(&object.preset.colours.ink, [0.0; 3]);
+        let own_ink = colours_of(object.preset).1;
         if own_ink != ink {
             entry.look.ink = entry.look.ink.or(Some(Colour(own_ink)));
         }
@@ -70,10 +71,6 @@ pub(super) fn to_file<'a>(
     }
     file.name_objects();
     Ok(file)
-}
-
-fn linear(css: &str, other: [f32; 3]) -> [f32; 3] {
-    value::colour(css).map_or(other, |colour| colour.0)
 }
 
 fn object_entry(
@@ -219,7 +216,7 @@ pub(super) fn from_file(file: &SceneFile, camera: &crate::Camera) -> Result<Open
     }
     document.set_objects(objects, 0);
     let paper = file.view.paper.map(|paper| paper.0);
-    document.paper = paper.filter(|paper| *paper != linear(&document.preset.colours.paper, [1.0; 3]));
+    document.paper = paper.filter(|paper| *paper != colours_of(&document.preset).0);
     let mut camera = *camera;
     file.view.camera.apply(&mut camera);
     Ok(Opened { document, camera, frames: file.view.camera.fits_distance(), left_out })
@@ -276,7 +273,7 @@ fn object_of(
     if let Some(path) = from {
         look.guides = guides::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    let ink = words.ink.filter(|ink| ink.0 != linear(&preset.colours.ink, [0.0; 3]));
+    let ink = words.ink.filter(|ink| ink.0 != colours_of(&preset).1);
     let white = (view.plain == Some(true)).then_some(Colour([1.0; 3]));
     // What is said of the materials of all parts.
     let of_all = LookEntry {

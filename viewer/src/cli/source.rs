@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use tam_gen::Job;
 use tam_gen::command::{Failure, Output, Progress, source};
 use tam_gen::import::{self, ImportError, ImportOptions};
 use tam_gen::preset::nearest;
-use tam_gen::{Job, Preset};
 use tam_viewer::Method;
 use tam_viewer::maps::HatchMap;
 use tam_viewer::mesh::sample::Sample;
@@ -92,10 +92,5 @@ fn read(path: &Path) -> Result<HatchMap, Failure> {
 
 /// Paper and ink of a map, in linear light, where its preset has them.
 pub(super) fn colours(map: &HatchMap) -> Option<([f32; 3], [f32; 3])> {
-    let Preset { colours, .. } = map.preset.as_ref()?;
-    let linear = |css: &str| {
-        let [r, g, b, _] = csscolorparser::parse(css).ok()?.to_linear_rgba();
-        Some([r, g, b])
-    };
-    Some((linear(&colours.paper)?, linear(&colours.ink)?))
+    map.preset.as_ref()?.colours.linear().ok()
 }

@@ -82,8 +82,12 @@ pub(super) fn standing(panel: &mut Panel<'_>, ui: &mut Ui) {
     let shown = document.object(document.chosen()).name();
     ui.horizontal(|ui| {
         let label = number::name(ui, "Name", "What the object is called");
-        ui.add(egui::TextEdit::singleline(&mut standing.name).hint_text(shown).desired_width(160.0))
-            .labelled_by(label.id);
+        ui.add(
+            egui::TextEdit::singleline(&mut standing.name)
+                .hint_text(shown)
+                .desired_width(ui.available_width().min(160.0)),
+        )
+        .labelled_by(label.id);
     });
     let place = &mut standing.place;
     number::axes(ui, "Place", "In world units; meshes are 2 units long", ranges::COORDINATE, &mut place.translation);

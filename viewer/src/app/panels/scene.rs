@@ -225,7 +225,28 @@ fn colours(panel: &mut Panel<'_>, ui: &mut Ui) {
             ui.monospace(css.as_str());
         });
     };
-    row(ui, "Paper", &mut paper, &mut preset.colours.paper);
+    // Where the preset is not the one that the paper comes from, paper is chosen for the scene.
+    let document = &panel.state.document;
+    if document.paper.is_some() || document.object(0).source != &document.source {
+        let mut paper = document.paper_colour();
+        let mut asked = None;
+        ui.horizontal(|ui| {
+            let label = number::name(ui, "Paper", "Of the scene");
+            if ui.color_edit_button_rgb(&mut paper).labelled_by(label.id).changed() {
+                asked = Some(Some(paper));
+            }
+            let own = ui.add_enabled(document.paper.is_some(), egui::Button::new("↺").frame(false));
+            if number::named(own, "Paper of the first object")
+                .on_hover_text("That of the first object's preset")
+                .clicked()
+            {
+                asked = Some(None);
+            }
+        });
+        panel.commands.extend(asked.map(Command::SetPaper));
+    } else {
+        row(ui, "Paper", &mut paper, &mut preset.colours.paper);
+    }
     row(ui, "Ink", &mut ink, &mut preset.colours.ink);
     ui.horizontal(|ui| {
         for (name, paper, ink) in PAIRS {

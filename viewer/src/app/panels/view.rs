@@ -258,8 +258,8 @@ fn play_controls(panel: &mut Panel<'_>, ui: &mut Ui) {
 
 fn picture(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) {
     let painter = ui.painter_at(rect);
-    let paper = panel.state.document.object(0).preset.colours.srgb().map_or([255; 3], |(paper, _)| paper);
-    painter.rect_filled(rect, CornerRadius::ZERO, Color32::from_rgb(paper[0], paper[1], paper[2]));
+    let [r, g, b] = panel.state.document.paper_colour();
+    painter.rect_filled(rect, CornerRadius::ZERO, Color32::from(egui::Rgba::from_rgb(r, g, b)));
     if let Some(shown) = &panel.results.picture {
         let texture = panel.textures.of(ui.ctx(), "view", shown.number as usize, &shown.image);
         let uv = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));

@@ -16,7 +16,7 @@ use tam_gen::Preset;
 pub use chart::{ChartSettings, ChartSort, ChartTab, ChartView, FitSettings};
 pub use document::{Compare, Document, MeshSource, PresetSource};
 pub use look::{FieldChoice, Look};
-pub use object::{ObjectRef, SceneObject, Standing};
+pub use object::{ObjectRef, SceneObject, Standing, colours_of};
 pub use settings::{ExportSettings, Navigation, PictureSettings, Settings, Theme, TurntableSettings};
 pub use transient::{CellView, Dialog, MapTab, MeshBefore, Motion, Notice, Severity, Tool, Transient};
 

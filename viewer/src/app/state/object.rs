@@ -122,7 +122,17 @@ impl ObjectRef<'_> {
     }
 }
 
+/// Paper and ink of a preset, linear light; white and black where they are no colours.
+pub fn colours_of(preset: &Preset) -> ([f32; 3], [f32; 3]) {
+    preset.colours.linear().unwrap_or(([1.0; 3], [0.0; 3]))
+}
+
 impl Document {
+    /// Colour of the paper, linear light: that of the first object's preset, unless another was chosen.
+    pub fn paper_colour(&self) -> [f32; 3] {
+        self.paper.unwrap_or_else(|| colours_of(self.object(0).preset).0)
+    }
+
     /// Number of objects.
     pub fn object_count(&self) -> usize {
         self.others.len() + 1

@@ -6,8 +6,7 @@ use tam_gen::Preset;
 
 use super::results::Results;
 use super::surface::MadeSurface;
-use super::thumbnails::linear_colours;
-use crate::app::state::{Look, State};
+use crate::app::state::{Look, State, colours_of};
 use crate::maps::HatchMap;
 use crate::mesh::Mesh;
 use crate::scene::Lights;
@@ -64,7 +63,7 @@ impl Subject {
             return None;
         }
         let mut scene = scene.clone();
-        (scene.paper, scene.ink) = linear_colours(&document.preset);
+        (scene.paper, scene.ink) = colours_of(&document.preset);
         Some(Self {
             mesh: Arc::clone(&mesh.mesh),
             scene,

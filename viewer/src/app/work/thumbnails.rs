@@ -5,7 +5,7 @@ use std::sync::Arc;
 use image::RgbaImage;
 use tam_gen::{Job, Preset};
 
-use super::super::state::MeshSource;
+use super::super::state::{MeshSource, colours_of};
 use super::painter::{Painter, Shot, Side, Sitter};
 use crate::maps::HatchMap;
 use crate::mesh::sample::Sample;
@@ -88,7 +88,7 @@ impl Thumbnails {
             silhouettes: Some(Silhouettes { width_px: 1.2, ..Silhouettes::default() }),
             ..RenderParams::default()
         };
-        let (paper, ink) = linear_colours(preset);
+        let (paper, ink) = colours_of(preset);
         let sitter = Sitter { surface: Some(surface), ..Sitter::plain(params, mesh, Arc::new(map), ink) };
         Some(Side { sitters: vec![sitter], paper })
     }
@@ -117,16 +117,4 @@ impl Thumbnails {
         let sitter = Sitter::plain(params, Arc::new(mesh), map, [0.05, 0.05, 0.06]);
         Some(Side { sitters: vec![sitter], paper: [0.9, 0.89, 0.87] })
     }
-}
-
-/// Paper and ink of a preset, linear light; white and black where they are no colours.
-pub(super) fn linear_colours(preset: &Preset) -> ([f32; 3], [f32; 3]) {
-    let linear = |css: &str, other: [f32; 3]| match csscolorparser::parse(css) {
-        Ok(colour) => {
-            let [r, g, b, _] = colour.to_linear_rgba();
-            [r, g, b]
-        }
-        Err(_) => other,
-    };
-    (linear(&preset.colours.paper, [1.0; 3]), linear(&preset.colours.ink, [0.0; 3]))
 }

@@ -10,9 +10,8 @@ use super::super::mesh::LoadedMesh;
 use super::super::painter::{Shot, Side, Sitter};
 use super::super::results::Results;
 use super::super::surface::{MadeSurface, SurfaceRequest};
-use super::super::thumbnails::linear_colours;
 use super::Engine;
-use crate::app::state::{Compare, Look, Motion, ObjectRef, State};
+use crate::app::state::{Compare, Look, Motion, ObjectRef, State, colours_of};
 use crate::mesh::Mesh;
 use crate::scene::{Lights, Material};
 use crate::scene_file::LookEntry;
@@ -59,7 +58,7 @@ impl Engine {
         motion: Option<Motion>,
     ) -> Option<Shot> {
         let document = &state.document;
-        let paper = document.paper.unwrap_or_else(|| linear_colours(document.object(0).preset).0);
+        let paper = document.paper_colour();
         let wanted = self.wanted(state, &results.meshes, None);
         let (sitters, objects): (Vec<Sitter>, Vec<usize>) =
             wanted.iter().filter_map(|wanted| Some((self.sitter(wanted, state, results)?, wanted.object))).unzip();
@@ -75,7 +74,7 @@ impl Engine {
             let sitters: Option<Vec<Sitter>> =
                 wanted.iter().map(|wanted| self.sitter(wanted, state, results)).collect();
             let chosen = compare.preset.as_ref().filter(|_| document.object_count() == 1);
-            let paper = chosen.map_or(paper, |(_, preset)| linear_colours(preset).0);
+            let paper = chosen.map_or(paper, |(_, preset)| colours_of(preset).0);
             sides.push(Side { sitters: sitters?, paper });
             split = compare.split;
         }
@@ -186,7 +185,7 @@ impl Engine {
     fn sitter(&self, wanted: &Wanted<'_>, state: &State, results: &Results) -> Option<Sitter> {
         let maps = wanted.presets.iter().map(|preset| Some(Arc::clone(&self.map_of(preset, state, results)?.hatch)));
         let maps = maps.collect::<Option<Vec<_>>>()?;
-        let ink = wanted.ink.unwrap_or_else(|| linear_colours(wanted.presets[0]).1);
+        let ink = wanted.ink.unwrap_or_else(|| colours_of(wanted.presets[0]).1);
         let sitter = |params, mesh: &Arc<Mesh>, surface| Sitter {
             params,
             mesh: Arc::clone(mesh),
