@@ -53,8 +53,8 @@ pub struct Scene {
     pub viewport_px: [f32; 2],
     /// Luminance from everywhere.
     pub ambient: f32,
-    /// Fills the record.
-    pub _pad: f32,
+    /// Distance of the camera's target where its lines of sight are parallel; 0 where they meet in its place.
+    pub parallel_from: f32,
     /// Linear light.
     pub paper: [f32; 4],
     /// Linear light.

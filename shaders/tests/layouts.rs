@@ -64,7 +64,7 @@ fn records() -> Vec<Record> {
             light_count,
             viewport_px,
             ambient,
-            _pad,
+            parallel_from,
             paper,
             ink,
             lights,

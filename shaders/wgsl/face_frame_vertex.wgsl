@@ -88,8 +88,9 @@ fn fragment(in: HatchOut, @builtin(front_facing) front: bool) -> @location(0) ve
     var point: Point;
     point.p_world = in.p_world;
     point.normal = normalize(in.normal);
-    point.view = normalize(scene.camera_world - in.p_world);
-    point.depth = dot(in.p_world - scene.camera_world, scene.camera_forward);
+    let towards = to_camera(in.p_world);
+    point.view = normalize(towards);
+    point.depth = -dot(towards, scene.camera_forward);
     let level = map_level(footprint(point));
     var sum = hatch_ink(point, in.normals_oct.x, in.st_ab.xy, level, front);
     var weight = 1.0;

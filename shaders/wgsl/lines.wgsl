@@ -23,10 +23,10 @@ const ASIDE_WIDTHS: f32 = 0.4;
 // Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point itself.
 fn pulled_clip(p_world: vec3f) -> vec4f {
     let clip = scene.clip_from_world * vec4f(p_world, 1.0);
-    let depth = dot(p_world - scene.camera_world, scene.camera_forward);
+    let towards = to_camera(p_world);
+    let depth = -dot(towards, scene.camera_forward);
     let pull = PULL_WIDTHS * style.width_px * scene.pixel_world_at_1 * depth;
-    let towards = normalize(scene.camera_world - p_world);
-    let nearer = scene.clip_from_world * vec4f(p_world + pull * towards, 1.0);
+    let nearer = scene.clip_from_world * vec4f(p_world + pull * normalize(towards), 1.0);
     return vec4f(clip.xy, nearer.z / max(nearer.w, 1e-6) * clip.w, clip.w);
 }
 

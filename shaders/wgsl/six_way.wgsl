@@ -46,7 +46,7 @@ fn six_ink(uv: vec2f, level: f32, weights: Weights) -> f32 {
 fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
     let surface = surface_vertex(index);
     let n = normalize(surface.normal);
-    let v = normalize(scene.camera_world - surface.p_world);
+    let v = normalize(to_camera(surface.p_world));
     let weights = column_weights(column_coordinate(darkness(reflectance(), surface.p_world, n, v)));
     var out: SixWayOut;
     out.clip = surface.clip;

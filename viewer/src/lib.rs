@@ -37,5 +37,5 @@ pub mod app;
 pub use object::Object;
 pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
 pub use renderer::{RenderError, Renderer};
-pub use scene::{Camera, Light, LightKind, Lights, Material, Scene};
+pub use scene::{AxisView, Camera, Light, LightKind, Lights, Material, Projection, Scene};
 pub use timer::FrameTimer;

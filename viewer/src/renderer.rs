@@ -207,7 +207,8 @@ impl Renderer {
 }
 
 fn check_camera(camera: &Camera) -> Result<(), RenderError> {
-    let numbers = [camera.azimuth_deg, camera.elevation_deg, camera.distance, camera.field_of_view_deg];
+    let numbers =
+        [camera.azimuth_deg, camera.elevation_deg, camera.distance, camera.field_of_view_deg, camera.roll_deg];
     if !numbers.iter().all(|number| number.is_finite()) || !camera.target.is_finite() || camera.distance <= 0.0 {
         return Err(RenderError::Camera(format!("{camera:?}")));
     }

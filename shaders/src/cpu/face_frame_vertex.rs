@@ -103,11 +103,12 @@ pub fn hatch_ink(b: &Bindings<'_>, point: &Point, normal_oct: u32, st: DVec2, le
 
 /// Colour of a fragment, linear light; all but `normals_oct` interpolated.
 pub fn fragment(b: &Bindings<'_>, input: &HatchOut, front: bool) -> DVec4 {
+    let to_camera = b.scene.to_camera(input.p_world);
     let point = Point {
         p_world: input.p_world,
         normal: input.normal.normalize(),
-        view: (b.scene.camera_world - input.p_world).normalize(),
-        depth: (input.p_world - b.scene.camera_world).dot(b.scene.camera_forward),
+        view: to_camera.normalize(),
+        depth: -to_camera.dot(b.scene.camera_forward),
         uv: DVec2::ZERO,
         face: 0,
     };

@@ -30,10 +30,10 @@ pub const ASIDE_WIDTHS: f64 = 0.4;
 /// itself.
 pub fn pulled_clip(scene: &Scene, style: &LineStyle, p_world: DVec3) -> DVec4 {
     let clip = scene.clip_from_world * p_world.extend(1.0);
-    let depth = (p_world - scene.camera_world).dot(scene.camera_forward);
+    let towards = scene.to_camera(p_world);
+    let depth = -towards.dot(scene.camera_forward);
     let pull = PULL_WIDTHS * style.width_px * scene.pixel_world_at_1 * depth;
-    let towards = (scene.camera_world - p_world).normalize();
-    let nearer = scene.clip_from_world * (p_world + pull * towards).extend(1.0);
+    let nearer = scene.clip_from_world * (p_world + pull * towards.normalize()).extend(1.0);
     DVec4::new(clip.x, clip.y, nearer.z / nearer.w.max(1e-6) * clip.w, clip.w)
 }
 

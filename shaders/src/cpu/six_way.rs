@@ -37,7 +37,7 @@ pub fn six_ink(map: &MapImage, uv: DVec2, level: f64, weights: &Weights) -> f64 
 pub fn vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Weights) {
     let surface = surface_vertex(b, index);
     let n = surface.normal.normalize();
-    let v = (b.scene.camera_world - surface.p_world).normalize();
+    let v = b.scene.to_camera(surface.p_world).normalize();
     let d = darkness(b.scene, reflectance(b.material), surface.p_world, n, v);
     (surface, column_weights(column_coordinate(b.options.form, b.material, d)))
 }

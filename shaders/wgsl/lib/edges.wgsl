@@ -33,7 +33,7 @@ struct Edge {
 @group(2) @binding(0) var<storage, read> edges: array<Edge>;
 
 fn faces_camera(face: u32, p_world: vec3f) -> bool {
-    return dot(face_normals[face].xyz, scene.camera_world - p_world) > 0.0;
+    return dot(face_normals[face].xyz, to_camera(p_world)) > 0.0;
 }
 
 const LINE_NONE: u32 = 0u;

@@ -29,7 +29,8 @@ struct Scene {
     light_count: u32,
     viewport_px: vec2f,
     ambient: f32,
-    _pad: f32,
+    // Distance of the camera's target where its lines of sight are parallel; 0 where they meet in its place.
+    parallel_from: f32,
     // Linear light, alpha is the background's.
     paper: vec4f,
     ink: vec4f,
@@ -37,3 +38,9 @@ struct Scene {
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
+
+// From a point towards the camera; its length along the camera's axis is the depth at which pixels have the size that
+// they have there.
+fn to_camera(p_world: vec3f) -> vec3f {
+    return select(scene.camera_world - p_world, -scene.parallel_from * scene.camera_forward, scene.parallel_from > 0.0);
+}

@@ -68,9 +68,9 @@ fn surface_point(in: FragmentIn, front: bool) -> Point {
     point.p_world = in.p_world;
     let n = in.normal * inverseSqrt(max(dot(in.normal, in.normal), 1e-20));
     point.normal = select(-n, n, front);
-    let to_camera = scene.camera_world - in.p_world;
-    point.view = to_camera * inverseSqrt(max(dot(to_camera, to_camera), 1e-20));
-    point.depth = max(-dot(to_camera, scene.camera_forward), 1e-6);
+    let towards = to_camera(in.p_world);
+    point.view = towards * inverseSqrt(max(dot(towards, towards), 1e-20));
+    point.depth = max(-dot(towards, scene.camera_forward), 1e-6);
     point.uv = in.uv;
     point.face = face_of(in);
     return point;

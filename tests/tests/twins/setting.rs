@@ -277,7 +277,7 @@ fn scene(lights: &[types::Light], world_from_mesh: Mat4) -> types::Scene {
         light_count: lights.len() as u32,
         viewport_px: [600.0, 400.0],
         ambient: 0.3,
-        _pad: 0.0,
+        parallel_from: 0.0,
         paper: [0.9, 0.85, 0.8, 1.0],
         ink: [0.02, 0.05, 0.1, 1.0],
         lights: all,

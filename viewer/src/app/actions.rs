@@ -8,7 +8,7 @@ use super::layout::Pane;
 use super::state::{Dialog, Motion, State, Theme, Tool};
 use crate::mesh::deform::Deform;
 use crate::params::DebugView;
-use crate::{Form, Light, LightKind, Mapping, Method};
+use crate::{AxisView, Camera, Form, Light, LightKind, Mapping, Method, Projection};
 
 /// Something a user can do.
 #[derive(Clone, Debug, PartialEq)]
@@ -206,6 +206,23 @@ fn views(state: &State, all: &mut Vec<Action>) {
     let mut list = List { all, group: Group::View };
     let look = &state.document.look;
     list.add("Show the whole mesh", plain(Key::F), Command::FrameMesh);
+    let axes = [
+        (AxisView::Front, Key::Num1),
+        (AxisView::Back, Key::Num2),
+        (AxisView::Right, Key::Num3),
+        (AxisView::Left, Key::Num4),
+        (AxisView::Top, Key::Num7),
+        (AxisView::Bottom, Key::Num8),
+    ];
+    for (view, key) in axes {
+        let [azimuth_deg, elevation_deg] = view.angles_deg();
+        let camera =
+            Camera { azimuth_deg: azimuth_deg.rem_euclid(360.0), elevation_deg, roll_deg: 0.0, ..state.camera };
+        list.add(format!("View: {}", view.name()), ctrl(key), Command::SetCamera(camera));
+    }
+    let projection = if state.camera.is_parallel() { Projection::Perspective } else { Projection::Orthographic };
+    let other = Command::SetCamera(Camera { projection, ..state.camera });
+    list.switch("View: orthographic", ctrl(Key::Num5), state.camera.is_parallel(), other);
     let comparing = state.document.compare.is_some();
     list.switch("Compare two looks", plain(Key::C), comparing, Command::SetCompare(toggled_compare(state)));
     let mut wired = look.clone();

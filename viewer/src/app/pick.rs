@@ -18,11 +18,8 @@ pub(crate) struct Ray {
 impl Ray {
     /// Through a place of the picture, -1..=1 from left to right and from bottom to top; `aspect` is width over height.
     pub(crate) fn through(camera: &Camera, at: DVec2, aspect: f64) -> Self {
-        let view = camera.view_from_world();
-        let (right, up) = (view.row(0).truncate(), view.row(1).truncate());
-        let half = (camera.field_of_view_deg.to_radians() * 0.5).tan();
-        let along = camera.forward() + right * (at.x * half * aspect) + up * (at.y * half);
-        Self { from: camera.place(), along: along.normalize() }
+        let (from, along) = camera.ray(at, aspect);
+        Self { from, along }
     }
 }
 

@@ -10,7 +10,7 @@ use tam_viewer::gpu::GpuOptions;
 use tam_viewer::scene::MAX_LIGHTS;
 use tam_viewer::scene_file::value::{self, Colour, Deformed, OrNone, Orbit, Specular};
 use tam_viewer::scene_file::{Camera, LookEntry, MappingEntry, OBJECTS_MAX, ObjectEntry, SceneFile, ViewEntry};
-use tam_viewer::{Blend, DebugView, Form, Light, Mapping, Method, RenderParams, Silhouettes, ranges};
+use tam_viewer::{Blend, DebugView, Form, Light, Mapping, Method, Projection, RenderParams, Silhouettes, ranges};
 
 use super::object::{ObjectArg, Settings, object, place};
 use super::stage::DEFAULT_MAP;
@@ -104,8 +104,9 @@ pub(super) struct ViewArgs {
     #[arg(long, value_name = "PX", value_parser = value::in_range(ranges::WIREFRAME_PX), allow_hyphen_values = true, help_heading = "What is checked")]
     wireframe: Option<f64>,
 
-    /// Azimuth and elevation in degrees, and the distance [default: 30,18 and all in the picture]
-    #[arg(long, value_name = "AZ,EL[,DIST]", value_parser = value::orbit, allow_hyphen_values = true, help_heading = "Camera")]
+    /// Azimuth and elevation in degrees, or front, back, left, right, top or bottom, and the distance [default: 30,18 and
+    /// all in the picture]
+    #[arg(long, value_name = "AZ,EL[,DIST]|VIEW[,DIST]", value_parser = value::orbit, allow_hyphen_values = true, help_heading = "Camera")]
     camera: Option<Orbit>,
     /// What the camera looks at [default: the middle of what is seen]
     #[arg(long, value_name = "X,Y,Z", value_parser = value::point, allow_hyphen_values = true, help_heading = "Camera")]
@@ -113,6 +114,12 @@ pub(super) struct ViewArgs {
     /// Vertical opening in degrees
     #[arg(long, value_name = "DEG", value_parser = value::in_range(ranges::FIELD_OF_VIEW_DEG), allow_hyphen_values = true, help_heading = "Camera")]
     fov: Option<f64>,
+    /// Turn about the line of sight: what is seen turns counter-clockwise
+    #[arg(long, value_name = "DEG", value_parser = value::in_range(ranges::AZIMUTH_DEG), allow_hyphen_values = true, help_heading = "Camera")]
+    roll: Option<f64>,
+    /// Whether lines of sight meet in the camera, or are parallel [default: perspective]
+    #[arg(long, value_enum, help_heading = "Camera")]
+    projection: Option<ProjectionArg>,
 
     /// A light: AZ,EL[,INTENSITY] from far, at:X,Y,Z[,I] from a point, spot:X,Y,Z,TX,TY,TZ,CUTOFF_DEG,EXPONENT[,I]; may
     /// be repeated
@@ -170,6 +177,12 @@ enum BlendArg {
     Union,
     /// Strokes fade, as in pencil
     Linear,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum ProjectionArg {
+    Perspective,
+    Orthographic,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -278,7 +291,16 @@ impl ViewArgs {
 
     fn view_entry(&self) -> ViewEntry {
         ViewEntry {
-            camera: Camera { orbit: self.camera, target: self.target, field_of_view_deg: self.fov },
+            camera: Camera {
+                orbit: self.camera,
+                target: self.target,
+                field_of_view_deg: self.fov,
+                roll_deg: self.roll,
+                projection: self.projection.map(|projection| match projection {
+                    ProjectionArg::Perspective => Projection::Perspective,
+                    ProjectionArg::Orthographic => Projection::Orthographic,
+                }),
+            },
             lights: self.light.clone(),
             ambient: self.ambient,
             paper: self.paper,

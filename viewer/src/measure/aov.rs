@@ -189,7 +189,7 @@ impl<'a> View<'a> {
         let normal = mix(corners.map(|vertex| self.mesh.normals[vertex].as_dvec3()));
         let normal = self.scene.world_from_mesh_normal.transform_vector3(normal).normalize_or_zero();
         let normal = if front { normal } else { -normal };
-        let to_camera = self.scene.camera_world - p_world;
+        let to_camera = self.scene.to_camera(p_world);
         let view = to_camera.normalize_or_zero();
         let reflectance = self.reflectances[self.mesh.part_of(face).min(self.reflectances.len() - 1)];
         let direction = strokes.and_then(|strokes| direction(strokes, face, weights));
@@ -214,7 +214,8 @@ impl<'a> View<'a> {
         let slope = |at_side: f64, change_side: f64| (change_side * at.w - at_side * change.w) / (at.w * at.w);
         let half = 0.5 * self.scene.viewport_px;
         let moved_px = DVec2::new(half.x * slope(at.x, change.x), -half.y * slope(at.y, change.y));
-        let px_per_world = 1.0 / (self.scene.pixel_world_at_1 * at.w.max(1e-6));
+        let depth = -self.scene.to_camera(p_world).dot(self.scene.camera_forward);
+        let px_per_world = 1.0 / (self.scene.pixel_world_at_1 * depth.max(1e-6));
         (moved_px.length() > LEAST_SHOWN * px_per_world).then(|| line_angle(moved_px))
     }
 }

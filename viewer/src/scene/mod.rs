@@ -6,7 +6,7 @@ mod light;
 use glam::{DMat4, DVec2};
 use tam_shaders::types;
 
-pub use camera::Camera;
+pub use camera::{AxisView, Camera, Projection};
 pub use light::{Light, LightKind, Lights, MAX_LIGHTS};
 
 use crate::mesh::Mesh;
@@ -101,6 +101,10 @@ impl Scene {
             light_count: self.lights.lights.len().min(MAX_LIGHTS) as u32,
             viewport_px: size_px.map(|side| side as f32),
             ambient: self.lights.ambient as f32,
+            parallel_from: match self.camera.projection {
+                Projection::Perspective => 0.0,
+                Projection::Orthographic => self.camera.distance as f32,
+            },
             paper: with_alpha(self.paper),
             ink: with_alpha(ink),
             lights,

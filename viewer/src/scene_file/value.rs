@@ -8,7 +8,7 @@ use super::object::Place;
 use super::word::Given;
 use crate::mesh::deform::Deform;
 use crate::ranges::{self, Range};
-use crate::scene::{Light, LightKind};
+use crate::scene::{AxisView, Light, LightKind};
 
 /// A camera's direction, and its distance where one was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,8 +89,18 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-/// `AZ,EL[,DIST]`.
+/// `AZ,EL[,DIST]`, or the name of an axis view in place of the angles.
 pub fn orbit(text: &str) -> Result<Orbit, String> {
+    let (name, distance) = text.split_once(',').map_or((text, None), |(name, distance)| (name, Some(distance)));
+    if name.starts_with(|first: char| first.is_ascii_alphabetic()) {
+        let view = AxisView::ALL.into_iter().find(|view| view.name() == name);
+        let [azimuth_deg, elevation_deg] = view
+            .ok_or_else(|| format!("AZ: {}", unknown("view", name, AxisView::ALL.map(AxisView::name))))?
+            .angles_deg();
+        let distance =
+            distance.map(|text| number(text, ranges::DISTANCE).map_err(|problem| format!("DIST: {problem}")));
+        return Ok(Orbit { azimuth_deg, elevation_deg, distance: distance.transpose()? });
+    }
     let named = [("AZ", ranges::AZIMUTH_DEG), ("EL", ranges::ELEVATION_DEG), ("DIST", ranges::DISTANCE)];
     let numbers = numbers(text, &named, 2)?;
     Ok(Orbit { azimuth_deg: numbers[0], elevation_deg: numbers[1], distance: numbers.get(2).copied() })
@@ -260,6 +270,9 @@ mod tests {
         let problem = orbit("10,95").expect_err("too high");
         assert!(problem.contains("EL") && problem.contains("95") && problem.contains("-90 to 90"), "{problem}");
         assert!(orbit("10").is_err() && orbit("1,2,3,4").is_err() && orbit("nan,0").is_err());
+        assert_eq!(orbit("right,3"), Ok(Orbit { azimuth_deg: 90.0, elevation_deg: 0.0, distance: Some(3.0) }));
+        assert!(orbit("frnt").expect_err("no such view").contains("did you mean `front`?"));
+        assert!(orbit("top,-1").expect_err("no distance").contains("DIST"));
         assert_eq!(or_none(ranges::LINE_WIDTH_PX)("none"), Ok(OrNone(None)));
         assert!(in_range(ranges::SHARE)("1.5").is_err());
     }

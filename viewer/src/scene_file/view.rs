@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::value::{self, Colour, Deformed, Orbit};
-use super::word::{Given, Kind, Word, switch};
+use super::word::{Given, Kind, Word, name_of, named, switch};
 use crate::ranges;
-use crate::scene::{Camera as SceneCamera, Light, Lights, Scene};
+use crate::scene::{Camera as SceneCamera, Light, Lights, Projection, Scene};
 
 /// Where a scene is seen from, as it was asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,6 +16,10 @@ pub struct Camera {
     pub target: Option<DVec3>,
     /// Vertical opening in degrees.
     pub field_of_view_deg: Option<f64>,
+    /// Turn about the line of sight in degrees.
+    pub roll_deg: Option<f64>,
+    /// How lines of sight run.
+    pub projection: Option<Projection>,
 }
 
 impl Camera {
@@ -26,11 +30,14 @@ impl Camera {
 
     /// A camera in words.
     pub fn of(camera: &SceneCamera) -> Self {
-        let SceneCamera { azimuth_deg, elevation_deg, distance, target, field_of_view_deg } = *camera;
+        let SceneCamera { azimuth_deg, elevation_deg, distance, target, field_of_view_deg, roll_deg, projection } =
+            *camera;
         Self {
             orbit: Some(Orbit { azimuth_deg, elevation_deg, distance: Some(distance) }),
             target: Some(target),
             field_of_view_deg: Some(field_of_view_deg),
+            roll_deg: (roll_deg != 0.0).then_some(roll_deg),
+            projection: (projection != Projection::Perspective).then_some(projection),
         }
     }
 
@@ -42,6 +49,8 @@ impl Camera {
         }
         camera.target = self.target.unwrap_or(camera.target);
         camera.field_of_view_deg = self.field_of_view_deg.unwrap_or(camera.field_of_view_deg);
+        camera.roll_deg = self.roll_deg.unwrap_or(0.0);
+        camera.projection = self.projection.unwrap_or_default();
     }
 
     fn over(&self, base: &Self) -> Self {
@@ -49,6 +58,8 @@ impl Camera {
             orbit: self.orbit.or(base.orbit),
             target: self.target.or(base.target),
             field_of_view_deg: self.field_of_view_deg.or(base.field_of_view_deg),
+            roll_deg: self.roll_deg.or(base.roll_deg),
+            projection: self.projection.or(base.projection),
         }
     }
 }
@@ -79,8 +90,8 @@ impl ViewEntry {
     pub const WORDS: &[Word<Self>] = &[
         Word {
             name: "camera",
-            kind: Kind::Numbers("AZ,EL[,DIST]"),
-            about: "Azimuth and elevation in degrees, and the distance",
+            kind: Kind::Numbers("AZ,EL[,DIST], or front, back, left, right, top, bottom[,DIST]"),
+            about: "Azimuth and elevation in degrees, or a look along an axis, and the distance",
             set: |view, text| value::orbit(text).map(|orbit| view.camera.orbit = Some(orbit)),
             get: |view| {
                 let Orbit { azimuth_deg, elevation_deg, distance } = view.camera.orbit?;
@@ -104,6 +115,22 @@ impl ViewEntry {
                 Ok(())
             },
             get: |view| view.camera.field_of_view_deg.map(Given::Number),
+        },
+        Word {
+            name: "roll",
+            kind: Kind::Number(ranges::AZIMUTH_DEG),
+            about: "Turn about the line of sight; what is seen turns counter-clockwise",
+            set: |view, text| value::number(text, ranges::AZIMUTH_DEG).map(|roll| view.camera.roll_deg = Some(roll)),
+            get: |view| view.camera.roll_deg.map(Given::Number),
+        },
+        Word {
+            name: "projection",
+            kind: Kind::Name(&PROJECTIONS),
+            about: "Whether lines of sight meet in the camera, or are parallel",
+            set: |view, text| {
+                named("projection", text, &PROJECTIONS).map(|projection| view.camera.projection = Some(projection))
+            },
+            get: |view| view.camera.projection.as_ref().map(name_of),
         },
         Word {
             name: "ambient",
@@ -198,4 +225,5 @@ impl ViewEntry {
     }
 }
 
+const PROJECTIONS: [&str; 2] = ["perspective", "orthographic"];
 const COLOURS: [&str; 2] = ["none", "mesh"];

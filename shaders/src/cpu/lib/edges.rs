@@ -37,7 +37,7 @@ impl From<&types::LineStyle> for LineStyle {
 
 /// Whether a face is seen from its front.
 pub fn faces_camera(scene: &Scene, mesh: &Mesh<'_>, face: u32, p_world: DVec3) -> bool {
-    mesh.face_normals[face as usize].truncate().dot(scene.camera_world - p_world) > 0.0
+    mesh.face_normals[face as usize].truncate().dot(scene.to_camera(p_world)) > 0.0
 }
 
 /// Which line an edge is: `LINE_NONE` and so on in the shader.

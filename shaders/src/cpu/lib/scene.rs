@@ -36,6 +36,7 @@ pub struct Scene {
     pub camera_forward: DVec3,
     pub viewport_px: DVec2,
     pub ambient: f64,
+    pub parallel_from: f64,
     pub paper: DVec4,
     pub ink: DVec4,
     pub lights: Vec<Light>,
@@ -54,6 +55,14 @@ impl From<&types::Light> for Light {
     }
 }
 
+impl Scene {
+    /// From a point towards the camera; its length along the camera's axis is the depth at which pixels have the size that
+    /// they have there.
+    pub fn to_camera(&self, p_world: DVec3) -> DVec3 {
+        if self.parallel_from > 0.0 { -self.parallel_from * self.camera_forward } else { self.camera_world - p_world }
+    }
+}
+
 impl From<&types::Scene> for Scene {
     fn from(scene: &types::Scene) -> Self {
         let matrix = |columns: &[[f32; 4]; 4]| Mat4::from_cols_array_2d(columns).as_dmat4();
@@ -67,6 +76,7 @@ impl From<&types::Scene> for Scene {
             camera_forward: Vec3::from(scene.camera_forward).as_dvec3(),
             viewport_px: Vec2::from(scene.viewport_px).as_dvec2(),
             ambient: scene.ambient.into(),
+            parallel_from: scene.parallel_from.into(),
             paper: Vec4::from(scene.paper).as_dvec4(),
             ink: Vec4::from(scene.ink).as_dvec4(),
             lights: scene.lights.iter().take(scene.light_count as usize).map(Light::from).collect(),

@@ -71,7 +71,7 @@ pub fn surface_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
 /// A fragment's surface point; `front`: its front is seen.
 pub fn surface_point(scene: &Scene, material: &Material, input: &FragmentIn, front: bool) -> Point {
     let n = input.normal * inverse_sqrt(input.normal.dot(input.normal).max(1e-20));
-    let to_camera = scene.camera_world - input.p_world;
+    let to_camera = scene.to_camera(input.p_world);
     Point {
         p_world: input.p_world,
         normal: if front { n } else { -n },

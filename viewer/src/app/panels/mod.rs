@@ -1,5 +1,6 @@
 //! The panels: functions of the state that push commands.
 
+mod camera;
 mod chart;
 mod checks;
 mod export;

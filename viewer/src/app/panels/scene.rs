@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::number::{self, Number};
 use super::presets::{Card, cards};
 use super::strokes::section;
-use super::{Panel, objects};
+use super::{Panel, camera, objects};
 use crate::app::command::Command;
 use crate::app::state::{MeshSource, State};
 use crate::app::words::counted;
@@ -20,6 +20,7 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
         let several = panel.state.document.object_count() > 1;
         section(ui, "Mesh", true, |ui| mesh(panel, ui));
         section(ui, "Place", several, |ui| objects::standing(panel, ui));
+        section(ui, "Camera", false, |ui| camera::show(panel, ui));
         section(ui, "Light", true, |ui| lights(panel, ui));
         section(ui, "Colours", true, |ui| colours(panel, ui));
         section(ui, "Parts", false, |ui| objects::parts(panel, ui));

@@ -9,7 +9,7 @@ use super::orbit::{self, Drag};
 use crate::app::actions::{debug_label, mapping_label, method_label};
 use crate::app::command::Command;
 use crate::app::pick::{Ray, pick_placed};
-use crate::app::state::{Compare, Look, Motion, PresetSource, Tool};
+use crate::app::state::{Compare, Look, Motion, ObjectRef, PresetSource, Tool};
 use crate::params::DebugView;
 use crate::surface::Guide;
 use crate::{Camera, Mapping, Method};
@@ -23,6 +23,8 @@ pub(crate) struct ViewReport {
     pub dragged: bool,
     /// The guide that is being drawn.
     guide: Vec<DVec3>,
+    /// What the camera turns about while it is dragged.
+    pivot: Option<DVec3>,
 }
 
 impl ViewReport {
@@ -64,7 +66,11 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
         let scroll =
             ui.input(|input| f64::from(input.smooth_scroll_delta().y) + 250.0 * f64::from(input.zoom_delta() - 1.0));
         if scroll != 0.0 {
-            panel.ask(Command::SetCamera(orbit::zoomed(&panel.state.camera, scroll)));
+            let camera = panel.state.camera;
+            let pointer = response.hover_pos().unwrap_or(rect.center());
+            let ray = ray_at(&camera, rect, pointer);
+            let under = picked(panel, &ray).map_or_else(|| orbit::on_target_plane(&camera, &ray), |(_, point)| point);
+            panel.ask(Command::SetCamera(orbit::zoomed(&camera, scroll, Some(under))));
         }
         if panel.state.transient.tool == Tool::Guide {
             ui.set_cursor_icon(CursorIcon::Crosshair);
@@ -326,7 +332,7 @@ fn light_handle(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) -> bool {
     let Some(light) = panel.state.document.lights.lights.first().copied() else { return false };
     let camera = panel.state.camera;
     let towards = orbit::towards(&light, &camera);
-    let (right, up) = orbit::axes(&camera);
+    let [right, up] = camera.axes();
     let radius = rect.width().min(rect.height()) * 0.5 * BALL;
     let seen = egui::vec2(towards.dot(right) as f32, -towards.dot(up) as f32);
     let behind = towards.dot(camera.forward()) > 0.0;
@@ -365,6 +371,11 @@ fn set_first_light(panel: &mut Panel<'_>, light: crate::Light) {
 }
 
 fn drags(panel: &mut Panel<'_>, ui: &Ui, response: &egui::Response, rect: Rect) {
+    if response.drag_started() {
+        let pressed = ui.input(|input| input.pointer.press_origin());
+        let ray = pressed.map(|pressed| ray_at(&panel.state.camera, rect, pressed));
+        panel.view.pivot = ray.and_then(|ray| picked(panel, &ray)).map(|(_, point)| point);
+    }
     let by = response.drag_delta();
     if by == egui::Vec2::ZERO {
         return;
@@ -379,7 +390,8 @@ fn drags(panel: &mut Panel<'_>, ui: &Ui, response: &egui::Response, rect: Rect) 
             }
         }
         Some(drag) => {
-            panel.ask(Command::SetCamera(orbit::dragged(&panel.state.camera, drag, by, rect.height())));
+            let (camera, pivot) = (&panel.state.camera, panel.view.pivot);
+            panel.ask(Command::SetCamera(orbit::dragged(camera, drag, by, rect.height(), pivot)));
         }
         None => {}
     }
@@ -392,19 +404,25 @@ fn ray_at(camera: &Camera, rect: Rect, at: Pos2) -> Ray {
     Ray::through(camera, at, f64::from(rect.width() / rect.height()))
 }
 
-/// Chooses the object under the mouse, where there is more than one.
-fn choose_under_pointer(panel: &mut Panel<'_>, rect: Rect, response: &egui::Response) {
-    let document = &panel.state.document;
-    let Some(pointer) = response.interact_pointer_pos().filter(|_| document.object_count() > 1) else { return };
-    let ray = ray_at(&panel.state.camera, rect, pointer);
-    let hit = |(index, object): (usize, crate::app::state::ObjectRef<'_>)| {
+/// The object that is seen first along a line of sight, and where it is met.
+fn picked(panel: &Panel<'_>, ray: &Ray) -> Option<(usize, DVec3)> {
+    let hit = |(index, object): (usize, ObjectRef<'_>)| {
         let loaded = panel.results.meshes.iter().find(|loaded| loaded.source == *object.mesh)?;
         let world = object.standing.world_from_mesh();
-        let (_, distance) = pick_placed(&loaded.mesh, world, &ray).filter(|_| object.standing.visible)?;
-        Some((index, distance))
+        let (point, distance) = pick_placed(&loaded.mesh, world, ray).filter(|_| object.standing.visible)?;
+        Some((index, point, distance))
     };
-    let hits = document.objects().enumerate().filter_map(hit);
-    if let Some((index, _)) = hits.min_by(|a, b| a.1.total_cmp(&b.1)) {
+    let hits = panel.state.document.objects().enumerate().filter_map(hit);
+    hits.min_by(|a, b| a.2.total_cmp(&b.2)).map(|(index, point, _)| (index, point))
+}
+
+/// Chooses the object under the mouse, where there is more than one.
+fn choose_under_pointer(panel: &mut Panel<'_>, rect: Rect, response: &egui::Response) {
+    if panel.state.document.object_count() == 1 {
+        return;
+    }
+    let ray = response.interact_pointer_pos().map(|pointer| ray_at(&panel.state.camera, rect, pointer));
+    if let Some((index, _)) = ray.and_then(|ray| picked(panel, &ray)) {
         panel.ask(Command::Choose(index));
     }
 }
