@@ -1,17 +1,20 @@
 //! What an adapter draws is what the twins draw: every method, mapping and form, on a flat square and on a sphere.
 
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec4};
 use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::{self, MapImage, Options, Sampling, StripeTable};
 use tam_shaders::{Pass, types};
 use tam_tests::gpu::{Stage, front_camera, light_from, mappings, surface_for};
 use tam_viewer::gpu::GpuMap;
+use tam_viewer::gpu::PixelFormat;
 use tam_viewer::maps::tone_table;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
 use tam_viewer::surface::Patches;
-use tam_viewer::{Blend, DebugView, FaceFrameForm, Form, Lights, Mapping, Method, RenderParams, Scene};
+use tam_viewer::{
+    Blend, DebugView, FaceFrameForm, Follow, Form, Lights, Mapping, Method, Object, Projection, RenderParams, Scene,
+};
 
 const SIDE: u32 = 96;
 
@@ -82,7 +85,10 @@ fn options(params: &RenderParams) -> Options {
             Blend::Linear => cpu::Blend::Linear,
         },
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
-        follow: cpu::Follow::Surface,
+        follow: match params.follow {
+            Follow::Surface => cpu::Follow::Surface,
+            Follow::Light => cpu::Follow::Light,
+        },
         varied: params.method == Method::Stripes && params.variety > 0.0,
         debug: params.debug.map_or(cpu::DebugView::None, |view| match view {
             DebugView::Tone => cpu::DebugView::Tone,
@@ -170,7 +176,10 @@ fn difference(found: &[[f32; 4]], drawn: &Drawn, scene: &Scene, params: &RenderP
     let starts = patches.map_or(Vec::new(), Patches::packed_starts);
     let (starts, seeds) = starts.split_at(starts.len() - entries.len());
     let rows = patches.map_or(&[][..], |patches| &patches.rows);
-    let patches = PatchTable { starts, entries: &entries, rows, seeds, turns: &[] };
+    let follows = surface.as_ref().filter(|_| params.follow == Follow::Light);
+    let turns = follows.map_or(Vec::new(), |surface| surface.turns(&shared, scene.world_from_mesh));
+    let turns: Vec<DVec4> = turns.iter().map(|turn| Vec4::from(*turn).as_dvec4()).collect();
+    let patches = PatchTable { starts, entries: &entries, rows, seeds, turns: &turns };
     let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
     let stripes = stripes
         .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });
@@ -279,16 +288,86 @@ fn patterns_that_fade_into_each_other_are_drawn_as_the_twins_draw_them() {
             let joined = RenderParams { method, mapping, silhouettes: None, ..RenderParams::default() };
             let params = RenderParams { blend: Blend::Linear, ..joined };
             let what = format!("{} {mapping:?}", method.name());
-            let difference = compare(&mut stage, &scene(), &params, &mesh);
-            let (share, mean) = bounds(&params);
-            let close = difference.share <= share && difference.mean <= mean && difference.outline <= 0.001;
-            assert!(close, "{what}: {difference:?}");
+            check(&mut stage, &scene(), &params, &mesh);
             let [faded, joined] = [params, joined].map(|params| stage.draw(&scene(), &params, &mesh));
             let differing = faded.iter().zip(&joined).filter(|(a, b)| (a[0] - b[0]).abs() > 3.0 / 255.0).count();
             // Six columns on three planes always fade; elsewhere a union is another picture.
             let fades = method == Method::SixWay && mapping == Mapping::Triplanar;
             assert!(fades || differing as f64 > 0.1 * f64::from(SIDE * SIDE), "{what}: {differing}");
         }
+    }
+}
+
+/// Whether a picture is the twins', but for what rounding makes of it.
+fn check(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh) {
+    let difference = compare(stage, scene, params, mesh);
+    let (share, mean) = bounds(params);
+    let close = difference.share <= share && difference.mean <= mean && difference.outline <= 0.001;
+    assert!(close, "{params:?}: {difference:?}");
+}
+
+#[test]
+fn parallel_lines_of_sight_and_a_roll_are_drawn_as_the_twins_draw_them() {
+    let mesh = prepare(Sample::Sphere.build(800)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    let mut scene = scene();
+    (scene.camera.projection, scene.camera.roll_deg) = (Projection::Orthographic, 35.0);
+    let plain = RenderParams { silhouettes: None, ..RenderParams::default() };
+    for form in [Form::Hardened, Form::Literal] {
+        for (method, mapping, face_frame) in [
+            (Method::SixWay, Mapping::Patches, FaceFrameForm::Fetched),
+            (Method::FineTone, Mapping::Triplanar, FaceFrameForm::Fetched),
+            (Method::FaceFrame, Mapping::Frames, FaceFrameForm::Vertex),
+            (Method::Halftone, Mapping::Uv, FaceFrameForm::Fetched),
+        ] {
+            check(&mut stage, &scene, &RenderParams { method, mapping, form, face_frame, ..plain }, &mesh);
+        }
+    }
+    // The outline of a ball of radius 1 is a circle as large as the opening says, and its strokes are as fine near as far.
+    let picture = stage.draw(&scene, &plain, &mesh);
+    let covered = picture.iter().filter(|pixel| pixel[3] != 0.0).count() as f64;
+    let pixel = scene.camera.pixel_at_1(SIDE) * scene.camera.distance;
+    assert!((covered * pixel * pixel / std::f64::consts::PI - 1.0).abs() < 0.02, "{covered} pixels of {pixel}");
+}
+
+#[test]
+fn patches_that_follow_the_light_are_drawn_as_the_twins_draw_them() {
+    let mesh = prepare(Sample::Sphere.build(800)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    for method in [Method::SixWay, Method::StrokeMap, Method::FineTone] {
+        let params = RenderParams { method, mapping: Mapping::Patches, silhouettes: None, ..RenderParams::default() };
+        check(&mut stage, &scene(), &RenderParams { follow: Follow::Light, ..params }, &mesh);
+    }
+}
+
+#[test]
+fn four_samples_differ_from_one_at_outlines_alone() {
+    let mesh = prepare(Sample::Sphere.build(800)).expect("a mesh").mesh;
+    let mut stage = Stage::new("pencil", SIDE);
+    let side = SIDE as usize;
+    for method in [Method::SixWay, Method::FineTone, Method::Halftone, Method::Stripes] {
+        let params = RenderParams { method, mapping: Mapping::Triplanar, silhouettes: None, ..RenderParams::default() };
+        let uploaded = stage.upload(&params, &mesh, surface_for(&params, &mesh).as_ref());
+        let scene = scene();
+        let mut drawn = |samples| {
+            let target = stage.renderer.target([SIDE; 2], samples, PixelFormat::Linear16).expect("a target");
+            let objects = [Object::of(&scene, &params, &uploaded)];
+            stage.renderer.render_objects(&scene, &objects, &[&stage.map], &target, None).expect("a frame");
+            target.read(&stage.renderer.gpu).expect("pixels").linear()
+        };
+        let [one, four] = [1, 4].map(&mut drawn);
+        let (mut inside, mut soft) = (0, 0);
+        for (i, pixel) in four.iter().enumerate() {
+            let (x, y) = (i % side, i / side);
+            let around = (y.saturating_sub(1)..(y + 2).min(side))
+                .flat_map(|y| (x.saturating_sub(1)..(x + 2).min(side)).map(move |x| y * side + x));
+            // Where triangles meet, samples of one pixel are shaded as different ones.
+            if around.clone().all(|at| one[at][3] == 1.0) {
+                inside += usize::from((pixel[0] - one[i][0]).abs() > 0.02);
+            }
+            soft += usize::from(pixel[3] > 0.0 && pixel[3] < 1.0);
+        }
+        assert!(inside < side * side / 100 && soft > side, "{method:?}: {inside} inside, {soft} at the outline");
     }
 }
 

@@ -1,11 +1,14 @@
 //! All that a mapping needs of a surface, made in one go.
 
+use glam::DMat4;
 use tam_gen::Job;
+use tam_shaders::types;
 
 use super::curvature::{Curvature, curvatures};
 use super::field::{Field, FieldOptions, field};
 use super::graph::Graph;
 use super::lapped::{LappedOptions, lapped};
+use super::patches::turns::Turns;
 use super::patches::{PatchOptions, Patches, patches};
 use super::solve::SolveError;
 use super::stripes::rows::rows;
@@ -120,6 +123,16 @@ pub struct Surface {
 }
 
 impl Surface {
+    /// How patches that follow the light are turned in a scene: for each seed the copies that are drawn, each with its place
+    /// on the tile, its angle and its share. Empty where there are no patches.
+    pub fn turns(&self, scene: &types::Scene, world_from_mesh: DMat4) -> Vec<[f32; 4]> {
+        let mut turns = Vec::new();
+        if let Some(patches) = &self.patches {
+            Turns::new(&self.graph, patches).under(&scene.into(), world_from_mesh, &mut turns);
+        }
+        turns
+    }
+
     /// Makes what the options ask for.
     ///
     /// # Errors

@@ -35,6 +35,9 @@ fn surface_rows() -> Vec<Row> {
         row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).uv, 0.0, 0.0)", vertex)
             .twin(|b, case| two(surface_vertex(b, case[0].x as u32).uv))
             .within(1e-30, 0.0),
+        row("to_camera", Pass::Phong, "vec4f(to_camera(a.xyz), 0.0)", fragments)
+            .twin(|b, case| three(b.scene.to_camera(case[0].truncate())))
+            .within(16.0 * U, 0.0),
         // A distance of 6, then unit vectors.
         row(
             "surface_point",
