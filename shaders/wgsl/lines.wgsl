@@ -17,8 +17,9 @@ struct LineOut {
 
 // Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
 const PULL_WIDTHS: f32 = 1.0;
-// How far contours stand beside their edge, in widths; a little less than half, so that no gap is left.
-const ASIDE_WIDTHS: f32 = 0.4;
+// How much thinner lines are in the round ends by which neighbours join, in pixels: soft edges that lie over each other
+// would make joints thicker.
+const END_INSET_PX: f32 = 0.5;
 
 // Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point itself.
 fn pulled_clip(p_world: vec3f) -> vec4f {
@@ -54,7 +55,9 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) index: u3
     let along = select(vec2f(1.0, 0.0), (b_px - a_px) / max(length_px, 1e-6), length_px > 1e-6);
     // To the right of a to b on the screen, whose y points down.
     let across = vec2f(-along.y, along.x);
-    let aside = ASIDE_WIDTHS * style.width_px * (f32(kind == LINE_RIGHT) - f32(kind == LINE_LEFT));
+    // Contours stand beside their edge, as far as their soft edge reaches: the surface hides nothing of them.
+    let beside = 0.5 * style.width_px + 0.5 * (abs(across.x) + abs(across.y));
+    let aside = beside * (f32(kind == LINE_RIGHT) - f32(kind == LINE_LEFT));
     out.from_px = a_px + aside * across;
     out.to_px = b_px + aside * across;
     // Half a width and a pixel for the soft edge, on all sides.
@@ -69,16 +72,41 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) index: u3
     return out;
 }
 
+// Integral of max(x, 0).
+fn ramp(x: f32) -> f32 {
+    let above = max(x, 0.0);
+    return 0.5 * above * above;
+}
+
+// Share of a pixel on the lower side of a straight edge `x` px above its middle: its square as seen along the edge is a
+// trapezoid, two boxes folded with each other.
+fn share_below(x: f32, normal: vec2f) -> f32 {
+    let a = max(abs(normal.x), abs(normal.y));
+    let b = max(min(abs(normal.x), abs(normal.y)), 0.01);
+    let outer = 0.5 * (a + b);
+    let inner = 0.5 * (a - b);
+    let sum = ramp(x + outer) - ramp(x + inner) - ramp(x - inner) + ramp(x - outer);
+    return clamp(sum / (a * b), 0.0, 1.0);
+}
+
 // Share of a pixel covered by a line with round ends; thinner than a pixel it fades instead of breaking up.
-fn capsule_coverage(place: vec2f, from_px: vec2f, to_px: vec2f, width_px: f32) -> f32 {
+fn line_coverage(place: vec2f, from_px: vec2f, to_px: vec2f, width_px: f32) -> f32 {
     let v = to_px - from_px;
-    let t = clamp(dot(place - from_px, v) / max(dot(v, v), 1e-12), 0.0, 1.0);
-    let distance_px = length(place - from_px - t * v);
-    return clamp(0.5 * width_px + 0.5 - distance_px, 0.0, min(width_px, 1.0));
+    let length_px = length(v);
+    let along = select(vec2f(1.0, 0.0), v / max(length_px, 1e-6), length_px > 1e-6);
+    let at = dot(place - from_px, along);
+    let beyond = max(-at, at - length_px);
+    let normal = vec2f(-along.y, along.x);
+    let beside = dot(place - from_px, normal);
+    if beyond <= 0.0 {
+        return share_below(0.5 * width_px - beside, normal) - share_below(-0.5 * width_px - beside, normal);
+    }
+    let distance_px = length(vec2f(beyond, beside));
+    return clamp(0.5 * width_px + 0.5 - END_INSET_PX - distance_px, 0.0, min(width_px, 1.0));
 }
 
 @fragment
 fn fragment(in: LineOut) -> @location(0) vec4f {
-    let coverage = capsule_coverage(in.place_px, in.from_px, in.to_px, style.width_px);
+    let coverage = line_coverage(in.place_px, in.from_px, in.to_px, style.width_px);
     return vec4f(style.colour.rgb, style.colour.a * coverage);
 }

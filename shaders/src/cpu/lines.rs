@@ -23,8 +23,9 @@ pub struct LineOut {
 
 /// Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
 pub const PULL_WIDTHS: f64 = 1.0;
-/// How far contours stand beside their edge, in widths; a little less than half, so that no gap is left.
-pub const ASIDE_WIDTHS: f64 = 0.4;
+/// How much thinner lines are in the round ends by which neighbours join, in pixels: soft edges that lie over each other
+/// would make joints thicker.
+pub const END_INSET_PX: f64 = 0.5;
 
 /// Clip place of a point pulled towards the camera: the depth of the nearer point at the screen place of the point
 /// itself.
@@ -64,7 +65,8 @@ pub fn vertex(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, co
         LineKind::Left => -1.0,
         LineKind::None | LineKind::Centred => 0.0,
     };
-    let aside = ASIDE_WIDTHS * style.width_px * side;
+    // Contours stand beside their edge, as far as their soft edge reaches: the surface hides nothing of them.
+    let aside = (0.5 * style.width_px + 0.5 * (across.x.abs() + across.y.abs())) * side;
     out.from_px = a_px + aside * across;
     out.to_px = b_px + aside * across;
     let reach = 0.5 * style.width_px + 1.0;
@@ -78,16 +80,40 @@ pub fn vertex(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, co
     out
 }
 
+/// Integral of max(x, 0).
+pub fn ramp(x: f64) -> f64 {
+    let above = x.max(0.0);
+    0.5 * above * above
+}
+
+/// Share of a pixel on the lower side of a straight edge `x` px above its middle: its square as seen along the edge is a
+/// trapezoid, two boxes folded with each other.
+pub fn share_below(x: f64, normal: DVec2) -> f64 {
+    let a = normal.x.abs().max(normal.y.abs());
+    let b = normal.x.abs().min(normal.y.abs()).max(0.01);
+    let (outer, inner) = (0.5 * (a + b), 0.5 * (a - b));
+    let sum = ramp(x + outer) - ramp(x + inner) - ramp(x - inner) + ramp(x - outer);
+    (sum / (a * b)).clamp(0.0, 1.0)
+}
+
 /// Share of a pixel covered by a line with round ends; thinner than a pixel it fades instead of breaking up.
-pub fn capsule_coverage(place: DVec2, from_px: DVec2, to_px: DVec2, width_px: f64) -> f64 {
+pub fn line_coverage(place: DVec2, from_px: DVec2, to_px: DVec2, width_px: f64) -> f64 {
     let v = to_px - from_px;
-    let t = ((place - from_px).dot(v) / v.dot(v).max(1e-12)).clamp(0.0, 1.0);
-    let distance_px = (place - from_px - t * v).length();
-    (0.5 * width_px + 0.5 - distance_px).max(0.0).min(width_px.min(1.0))
+    let length_px = v.length();
+    let along = if length_px > 1e-6 { v / length_px } else { DVec2::X };
+    let at = (place - from_px).dot(along);
+    let beyond = (-at).max(at - length_px);
+    let normal = along.perp();
+    let beside = (place - from_px).dot(normal);
+    if beyond <= 0.0 {
+        return share_below(0.5 * width_px - beside, normal) - share_below(-0.5 * width_px - beside, normal);
+    }
+    let distance_px = DVec2::new(beyond, beside).length();
+    (0.5 * width_px + 0.5 - END_INSET_PX - distance_px).max(0.0).min(width_px.min(1.0))
 }
 
 /// Colour of a fragment, linear light, alpha not multiplied in.
 pub fn fragment(style: &LineStyle, input: &LineOut) -> DVec4 {
-    let coverage = capsule_coverage(input.place_px, input.from_px, input.to_px, style.width_px);
+    let coverage = line_coverage(input.place_px, input.from_px, input.to_px, style.width_px);
     style.colour.truncate().extend(style.colour.w * coverage)
 }

@@ -5,7 +5,7 @@ use tam_shaders::Pass;
 use tam_shaders::cpu::Bindings;
 use tam_shaders::cpu::lib::edges::{end_world, faces_camera, line_kind};
 use tam_shaders::cpu::line_edges::is_line;
-use tam_shaders::cpu::lines::{capsule_coverage, pulled_clip, px_from_clip};
+use tam_shaders::cpu::lines::{line_coverage, pulled_clip, px_from_clip, ramp, share_below};
 
 use super::{one, three, two, xy};
 use crate::draw::{Case, Draw, OWN};
@@ -58,11 +58,28 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|b, case| two(px_from_clip(b.scene, case[2])))
             .within(600.0 * 8.0 * U, 8.0 * U),
         // Places of tens of pixels, the root of a sum of squares of them.
-        row("capsule_coverage", Pass::Lines, "vec4f(capsule_coverage(d.xy, d.zw, c.xy, b.w), 0.0, 0.0, 0.0)", edges)
+        row("ramp", Pass::Lines, "vec4f(ramp(d.x), 0.0, 0.0, 0.0)", edges)
+            .twin(|_, case| one(ramp(case[3].x)))
+            .within(300.0 * U, 0.0),
+        // Differences of squares of some pixels, over a hundredth at least.
+        row("share_below", Pass::Lines, "vec4f(share_below(0.1 * d.x, normalize(d.zw + 0.01)), 0.0, 0.0, 0.0)", edges)
             .twin(|_, case| {
-                one(capsule_coverage(xy(case[3]), glam::DVec2::new(case[3].z, case[3].w), xy(case[2]), case[1].w))
+                let normal = (glam::DVec2::new(case[3].z, case[3].w) + 0.01).normalize();
+                one(share_below(0.1 * case[3].x, normal))
             })
-            .within(600.0 * U, 0.0),
+            .within(1e-3, 0.0),
+        // Where a line ends rounding decides between its two forms.
+        row("line_coverage", Pass::Lines, "vec4f(line_coverage(d.xy, d.zw, c.xy, b.w), 0.0, 0.0, 0.0)", edges)
+            .twin(|_, case| {
+                one(line_coverage(xy(case[3]), glam::DVec2::new(case[3].z, case[3].w), xy(case[2]), case[1].w))
+            })
+            .except_where(|_, case| {
+                let (from, to) = (glam::DVec2::new(case[3].z, case[3].w), xy(case[2]));
+                let along = (to - from).normalize_or(glam::DVec2::X);
+                let at = (xy(case[3]) - from).dot(along);
+                at.abs() < 1e-4 || (at - from.distance(to)).abs() < 1e-4
+            })
+            .within(1e-3, 0.0),
     ]
 }
 
