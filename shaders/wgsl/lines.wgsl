@@ -13,10 +13,17 @@ struct LineOut {
     @location(0) @interpolate(linear) place_px: vec2f,
     @location(1) @interpolate(flat, either) from_px: vec2f,
     @location(2) @interpolate(flat, either) to_px: vec2f,
+    @location(3) @interpolate(flat, either) width_px: f32,
 }
 
 // Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
 const PULL_WIDTHS: f32 = 1.0;
+// How far contours stand clear of the surface, as a share of their soft edge: at 1 it hides nothing of them, and a thread
+// of paper parts them from dark surfaces; at -1 it hides all of that edge, here more, there less, as its own border has
+// steps. As little of it as leaves no thread.
+const CONTOUR_CLEAR: f32 = -0.3;
+// What it hides of them in the mean, in pixels.
+const CONTOUR_HIDDEN_PX: f32 = 0.245;
 // How much thinner lines are in the round ends by which neighbours join, in pixels: soft edges that lie over each other
 // would make joints thicker.
 const END_INSET_PX: f32 = 0.5;
@@ -55,13 +62,14 @@ fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) index: u3
     let along = select(vec2f(1.0, 0.0), (b_px - a_px) / max(length_px, 1e-6), length_px > 1e-6);
     // To the right of a to b on the screen, whose y points down.
     let across = vec2f(-along.y, along.x);
-    // Contours stand beside their edge, as far as their soft edge reaches: the surface hides nothing of them.
-    let beside = 0.5 * style.width_px + 0.5 * (abs(across.x) + abs(across.y));
+    let is_contour = kind != LINE_CENTRED;
+    out.width_px = style.width_px + select(0.0, CONTOUR_HIDDEN_PX, is_contour);
+    let beside = 0.5 * out.width_px + CONTOUR_CLEAR * 0.5 * (abs(across.x) + abs(across.y));
     let aside = beside * (f32(kind == LINE_RIGHT) - f32(kind == LINE_LEFT));
     out.from_px = a_px + aside * across;
     out.to_px = b_px + aside * across;
     // Half a width and a pixel for the soft edge, on all sides.
-    let reach = 0.5 * style.width_px + 1.0;
+    let reach = 0.5 * out.width_px + 1.0;
     let at_b = corner >= 2u;
     let side = select(-1.0, 1.0, corner % 2u == 1u);
     let place = select(out.from_px - along * reach, out.to_px + along * reach, at_b) + across * side * reach;
@@ -107,6 +115,6 @@ fn line_coverage(place: vec2f, from_px: vec2f, to_px: vec2f, width_px: f32) -> f
 
 @fragment
 fn fragment(in: LineOut) -> @location(0) vec4f {
-    let coverage = line_coverage(in.place_px, in.from_px, in.to_px, style.width_px);
+    let coverage = line_coverage(in.place_px, in.from_px, in.to_px, in.width_px);
     return vec4f(style.colour.rgb, style.colour.a * coverage);
 }

@@ -74,11 +74,10 @@ fn place(scene: &Scene, point: DVec3, side: u32) -> DVec2 {
 const WIDTHS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 
 /// What is wrong with lines that were measured.
-fn problems(what: &str, asked: f64, widths: &[f64]) -> Option<String> {
+fn problems(what: &str, asked: f64, widths: &[f64], greatest_spread: f64) -> Option<String> {
     let [mean, spread] = statistics(widths);
     println!("{what}: asked {asked}, mean {mean:.3}, spread {spread:.3}");
-    // Joints of many short edges leave a little in lines that are wider than these edges are long.
-    let holds = (mean / asked - 1.0).abs() <= 0.03 && spread <= f64::max(0.03, 0.0045 * asked);
+    let holds = (mean / asked - 1.0).abs() <= 0.03 && spread <= greatest_spread;
     (!holds).then(|| format!("{what}: asked {asked}, mean {mean:.3}, spread {spread:.3}"))
 }
 
@@ -105,7 +104,10 @@ fn contours_of_balls_are_as_wide_as_asked_all_around() {
                     ink.width(middle + out * (outline_px + 0.5 * asked), out.perp(), asked + 4.0)
                 })
                 .collect();
-            wrong.extend(problems(&format!("ball in {side} px, {samples} samples"), asked, &widths));
+            // The surface's own border has steps, which cut off more here and less there of the line's soft edge. Clear of
+            // them the spread is 0.03 px, but a thread of paper parts the line from dark surfaces.
+            let greatest_spread = if samples == 1 { 0.1 } else { 0.065 };
+            wrong.extend(problems(&format!("ball in {side} px, {samples} samples"), asked, &widths, greatest_spread));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -158,8 +160,8 @@ fn borders_and_creases_are_as_wide_as_asked_at_any_angle() {
                 let top = fold.positions.iter().map(|position| position.z).fold(f32::MIN, f32::max);
                 along(&ink, Vec3::new(0.0, -half, top), Vec3::new(0.0, half, top), &mut creases);
             }
-            wrong.extend(problems(&format!("borders, {samples} samples"), asked, &borders));
-            wrong.extend(problems(&format!("creases, {samples} samples"), asked, &creases));
+            wrong.extend(problems(&format!("borders, {samples} samples"), asked, &borders, 0.01));
+            wrong.extend(problems(&format!("creases, {samples} samples"), asked, &creases, 0.01));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -367,7 +367,7 @@ fn four_samples_differ_from_one_at_outlines_alone() {
             }
             soft += usize::from(pixel[3] > 0.0 && pixel[3] < 1.0);
         }
-        assert!(inside < side * side / 100 && soft > side, "{method:?}: {inside} inside, {soft} at the outline");
+        assert!(inside < side * side / 50 && soft > side, "{method:?}: {inside} inside, {soft} at the outline");
     }
 }
 

@@ -19,10 +19,18 @@ pub struct LineOut {
     pub from_px: DVec2,
     /// The other.
     pub to_px: DVec2,
+    /// How wide it is drawn.
+    pub width_px: f64,
 }
 
 /// Lines are drawn this many of their widths nearer to the camera, so that the surface beside them does not cut them.
 pub const PULL_WIDTHS: f64 = 1.0;
+/// How far contours stand clear of the surface, as a share of their soft edge: at 1 it hides nothing of them, and a thread
+/// of paper parts them from dark surfaces; at -1 it hides all of that edge, here more, there less, as its own border has
+/// steps. As little of it as leaves no thread.
+pub const CONTOUR_CLEAR: f64 = -0.3;
+/// What it hides of them in the mean, in pixels.
+pub const CONTOUR_HIDDEN_PX: f64 = 0.245;
 /// How much thinner lines are in the round ends by which neighbours join, in pixels: soft edges that lie over each other
 /// would make joints thicker.
 pub const END_INSET_PX: f64 = 0.5;
@@ -46,7 +54,8 @@ pub fn px_from_clip(scene: &Scene, clip: DVec4) -> DVec2 {
 /// A corner, 0 ..= 3, of an edge's quad; outside of the clip volume where the edge is not drawn.
 pub fn vertex(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, corner: u32) -> LineOut {
     let hidden = DVec4::new(2.0, 2.0, 2.0, 1.0);
-    let mut out = LineOut { clip: hidden, place_px: DVec2::ZERO, from_px: DVec2::ZERO, to_px: DVec2::ZERO };
+    let mut out =
+        LineOut { clip: hidden, place_px: DVec2::ZERO, from_px: DVec2::ZERO, to_px: DVec2::ZERO, width_px: 0.0 };
     let a_world = end_world(scene, mesh, edge.a);
     let b_world = end_world(scene, mesh, edge.b);
     let a = pulled_clip(scene, style, a_world);
@@ -65,11 +74,11 @@ pub fn vertex(scene: &Scene, mesh: &Mesh<'_>, style: &LineStyle, edge: &Edge, co
         LineKind::Left => -1.0,
         LineKind::None | LineKind::Centred => 0.0,
     };
-    // Contours stand beside their edge, as far as their soft edge reaches: the surface hides nothing of them.
-    let aside = (0.5 * style.width_px + 0.5 * (across.x.abs() + across.y.abs())) * side;
+    out.width_px = style.width_px + if kind == LineKind::Centred { 0.0 } else { CONTOUR_HIDDEN_PX };
+    let aside = (0.5 * out.width_px + CONTOUR_CLEAR * 0.5 * (across.x.abs() + across.y.abs())) * side;
     out.from_px = a_px + aside * across;
     out.to_px = b_px + aside * across;
-    let reach = 0.5 * style.width_px + 1.0;
+    let reach = 0.5 * out.width_px + 1.0;
     let at_b = corner >= 2;
     let side = if corner % 2 == 1 { 1.0 } else { -1.0 };
     let middle = if at_b { out.to_px + along * reach } else { out.from_px - along * reach };
@@ -114,6 +123,6 @@ pub fn line_coverage(place: DVec2, from_px: DVec2, to_px: DVec2, width_px: f64) 
 
 /// Colour of a fragment, linear light, alpha not multiplied in.
 pub fn fragment(style: &LineStyle, input: &LineOut) -> DVec4 {
-    let coverage = line_coverage(input.place_px, input.from_px, input.to_px, style.width_px);
+    let coverage = line_coverage(input.place_px, input.from_px, input.to_px, input.width_px);
     style.colour.truncate().extend(style.colour.w * coverage)
 }
