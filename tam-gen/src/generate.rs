@@ -21,6 +21,16 @@ pub fn generate(preset: &Preset, job: &Job<'_>) -> Result<Map, GenerateError> {
     Ok(map)
 }
 
+/// Generates the map of a preset with so many times as many texels, of the strokes that its own map has.
+///
+/// # Errors
+/// As [`generate`]; the preset with that many texels must be valid, see [`Preset::texels_for`].
+pub fn generate_finer(preset: &Preset, texels: u32, job: &Job<'_>) -> Result<Map, GenerateError> {
+    let mut map = Map::default();
+    Generator::new().generate_strokes(preset, texels, job, &mut map)?;
+    Ok(map)
+}
+
 /// Generates maps one after another, keeping its buffers.
 #[derive(Debug, Clone, Default)]
 pub struct Generator {
@@ -41,14 +51,28 @@ impl Generator {
     /// # Errors
     /// When cancelled, or when the preset holds something no map can be made from: the first of [`Preset::validate`].
     pub fn generate_into(&mut self, preset: &Preset, job: &Job<'_>, map: &mut Map) -> Result<(), GenerateError> {
+        self.generate_strokes(preset, 1, job, map)
+    }
+
+    /// The strokes of a preset, in a map with so many times as many texels as it says.
+    fn generate_strokes(
+        &mut self,
+        of: &Preset,
+        texels: u32,
+        job: &Job<'_>,
+        map: &mut Map,
+    ) -> Result<(), GenerateError> {
+        let preset = &of.with_texels(texels);
         if let Some(violation) = preset.validate().into_iter().next() {
             let problem = format!("{}; allowed: {}", violation.problem, violation.expected);
             return Err(GenerateError::Preset { at: violation.at.to_string(), problem });
         }
         let named = ToneMeasure::named(preset.map.tone_measure);
         let families = families(preset);
-        let mut sequences: Vec<Sequence> =
-            (0..).zip(&families).map(|(i, family)| Sequence::new(preset, i, family)).collect();
+        let mut sequences: Vec<Sequence> = (0..)
+            .zip(&self::families(of))
+            .map(|(i, family)| Sequence::new(of, i, family).with_texels(texels as f32))
+            .collect();
         let nib = |family: &Family| {
             Nib::new(family).map_err(|error| GenerateError::Preset {
                 at: format!("families.{}.tip", family.name),

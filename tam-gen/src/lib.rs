@@ -32,7 +32,7 @@ pub mod stroke;
 mod tail;
 
 pub use error::GenerateError;
-pub use generate::{Generator, generate, tone_tolerance};
+pub use generate::{Generator, generate, generate_finer, tone_tolerance};
 pub use job::Job;
 pub use map::{Closing, Deficit, DeficitCause, Family, Grid, Level, Map, StrokeList, StrokeMap, ThresholdLevel};
 pub use preset::Preset;

@@ -257,3 +257,32 @@ fn quiet_prints_nothing() {
     let run = ok(folder.path(), &small("render", &["--quiet"]));
     assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("", ""));
 }
+
+#[test]
+fn a_larger_picture_for_the_same_height_is_the_same_picture_in_more_pixels() {
+    let folder = tempdir().expect("a folder");
+    let ink = |file: &str, reduced: u32| {
+        let picture = image::open(folder.path().join(file)).expect("a picture").into_luma8();
+        let [width, height] = [picture.width() / reduced, picture.height() / reduced];
+        let reduced = image::imageops::resize(&picture, width, height, image::imageops::FilterType::Triangle);
+        reduced.pixels().map(|pixel| 1.0 - f64::from(pixel.0[0]) / 255.0).collect::<Vec<f64>>()
+    };
+    for method in ["six-way", "halftone", "stripes"] {
+        let base = ["render", "--mesh", "hand", "--triangles", "3000", "--method", method, "--mapping", "triplanar"];
+        let draw = |file: &str, size: &str, more: &[&str]| {
+            ok(folder.path(), &[&base[..], &["--size", size, "-o", file, "--force"], more].concat());
+        };
+        draw("small.png", "160", &[]);
+        draw("own.png", "160", &["--for-height", "160"]);
+        draw("large.png", "320", &["--for-height", "160"]);
+        draw("other.png", "320", &[]);
+        let (small, large, other) = (ink("small.png", 1), ink("large.png", 2), ink("other.png", 2));
+        assert_eq!(small, ink("own.png", 1), "{method}: its own height changes nothing");
+        let mean = |ink: &[f64]| ink.iter().sum::<f64>() / ink.len() as f64;
+        let apart = |a: &[f64], b: &[f64]| mean(&a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect::<Vec<_>>());
+        let (same, otherwise) = (apart(&small, &large), apart(&small, &other));
+        println!("{method}: {same:.4} for the same height, {otherwise:.4} for its own");
+        assert!(same < 0.6 * otherwise, "{method}: {same} and {otherwise}");
+        assert!((mean(&small) - mean(&large)).abs() < 0.01, "{method}: {} and {}", mean(&small), mean(&large));
+    }
+}

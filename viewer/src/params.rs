@@ -256,6 +256,20 @@ pub struct RenderParams {
 }
 
 impl RenderParams {
+    /// The same for a picture so many times as high that is to look alike: lines, periods and levels keep their shares of
+    /// it. Maps whose strokes have `texels` times as many texels, see
+    /// [`HatchMap::finer`](crate::maps::HatchMap::finer), take up as much of that as they have.
+    #[must_use]
+    pub fn times_as_high(&self, times: f64, texels: f64) -> Self {
+        Self {
+            level_bias: self.level_bias + (times / texels).log2(),
+            line_period_px: self.line_period_px * times,
+            silhouettes: self.silhouettes.map(|lines| Silhouettes { width_px: lines.width_px * times, ..lines }),
+            wireframe: self.wireframe.map(|width_px| width_px * times),
+            ..*self
+        }
+    }
+
     /// The mapping whose patches a frame needs: that of its strokes, also where these make up stripes.
     pub fn needed_mapping(&self) -> Option<Mapping> {
         match self.method {

@@ -1,6 +1,7 @@
 //! Presets: what a material is made of.
 
 mod embedded;
+mod finer;
 mod options;
 mod overrides;
 mod parse;

@@ -34,6 +34,8 @@ pub struct Sequence {
     draw: Draw,
     first_length: f64,
     field: Field,
+    /// Texels across a stroke, as a multiple of what the preset says.
+    texels: f32,
     strokes: Vec<Stroke>,
 }
 
@@ -70,8 +72,15 @@ impl Sequence {
             first_length,
             draw,
             field,
+            texels: 1.0,
             strokes: Vec::new(),
         }
+    }
+
+    /// The same strokes with so many times as many texels across, for a map of so many times as many.
+    #[must_use]
+    pub fn with_texels(self, texels: f32) -> Self {
+        Self { texels, ..self }
     }
 
     /// The strokes generated so far.
@@ -121,7 +130,7 @@ impl Sequence {
             }
         };
         stroke.family = self.family;
-        stroke.width_px = self.options.width_px as f32 * width_scale;
+        stroke.width_px = self.options.width_px as f32 * width_scale * self.texels;
         stroke
     }
 
@@ -138,7 +147,7 @@ impl Sequence {
         let mut stroke = self.direction.shape(&self.options, length as f32, draw);
         stroke.across_uv[0] = draw.unit() as f32;
         stroke.family = self.family;
-        stroke.width_px = self.options.width_px as f32 * width_scale;
+        stroke.width_px = self.options.width_px as f32 * width_scale * self.texels;
         stroke
     }
 

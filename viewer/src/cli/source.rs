@@ -51,13 +51,24 @@ pub(super) fn mesh(entry: &MeshEntry) -> Result<Loaded, Failure> {
 
 /// The map of a preset or file, with all that the methods draw with.
 pub(super) fn map(named: &Path, methods: &[Method], cancel: &AtomicBool, output: &Output) -> Result<HatchMap, Failure> {
+    map_times(named, 1.0, methods, cancel, output)
+}
+
+/// The same for pictures so many times as high as what they look like: strokes of presets have more texels for that.
+pub(super) fn map_times(
+    named: &Path,
+    times: f64,
+    methods: &[Method],
+    cancel: &AtomicBool,
+    output: &Output,
+) -> Result<HatchMap, Failure> {
     let progress = Progress::new("generating", output.quiet || output.json);
     let made = |part: f32| progress.set(part);
     let job = Job { progress: Some(&made), cancel: Some(cancel), measure: None };
     let is_name = named.components().count() == 1 && named.extension().is_none() && !named.exists();
     let map = if source::is_preset(named) || is_name {
         let (name, preset) = source::preset(named)?;
-        HatchMap::from_preset(&name, &preset, &job)?
+        HatchMap::finer(&name, &preset, preset.texels_for(times), &job)?
     } else {
         read(named)?
     };

@@ -157,12 +157,17 @@ impl Stage {
                 materials,
             });
         }
-        let maps = all_maps.load(&renderer, output)?;
+        let times = view.times_as_high(size);
+        let maps = all_maps.load(&renderer, times, output)?;
         let colours = source::colours(&maps[0].source);
         let mut scene = objects.file.view.scene(colours);
         scene.ink = objects.file.look.ink.map_or(scene.ink, |ink| ink.0);
         for (drawn, piece) in drawn.iter_mut().zip(&objects.pieces) {
             drawn.ink = piece.look.ink.map_or(scene.ink, |ink| ink.0);
+            if times != 1.0 {
+                let texels = drawn.materials.first().map_or(1, |material| maps[material.map].source.texels);
+                drawn.params = drawn.params.times_as_high(times, texels.into());
+            }
         }
         let uploads = upload(view, &renderer, &objects, groups, output)?;
         interrupt::stop_if_happened()?;
@@ -365,10 +370,10 @@ impl Maps {
         number
     }
 
-    /// All of them, with all that the methods draw with.
-    fn load(&self, renderer: &Renderer, output: &Output) -> Result<Vec<GpuMap>, Failure> {
+    /// All of them, with all that the methods draw with, for pictures so many times as high as what they look like.
+    fn load(&self, renderer: &Renderer, times: f64, output: &Output) -> Result<Vec<GpuMap>, Failure> {
         let load = |(named, methods): &(PathBuf, Vec<Method>)| {
-            Ok(renderer.map(source::map(named, methods, interrupt::flag(), output)?))
+            Ok(renderer.map(source::map_times(named, times, methods, interrupt::flag(), output)?))
         };
         self.0.iter().map(load).collect()
     }

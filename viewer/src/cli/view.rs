@@ -96,6 +96,11 @@ pub(super) struct ViewArgs {
     #[arg(long, value_name = "DEG|none", value_parser = value::or_none(ranges::CREASE_DEG), allow_hyphen_values = true, help_heading = "How it is hatched")]
     crease: Option<OrNone>,
 
+    /// Draw lines, periods and strokes as a picture of this height has them, so that a larger one is the same picture in more
+    /// pixels; maps of presets are made finer for it [default: its own height]
+    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(16..=16384), help_heading = "How it is hatched")]
+    for_height: Option<u32>,
+
     /// Show what the method works with instead of its ink: the wanted tone, the level of detail, the columns that are
     /// mixed, the direction of strokes, the blend of neighbours, or the triangles
     #[arg(long, value_name = "VIEW", value_parser = debug_view(), help_heading = "What is checked")]
@@ -345,8 +350,14 @@ impl ViewArgs {
 
     /// How a look in words is drawn, and what is shown in place of it.
     pub(super) fn params(&self, look: &LookEntry, has_uv: bool, size: [u32; 2]) -> RenderParams {
-        let params = look.params(has_uv, line_width_px(size));
+        let times = self.times_as_high(size);
+        let params = look.params(has_uv, line_width_px(size.map(|side| (f64::from(side) / times).round() as u32)));
         RenderParams { debug: self.debug, wireframe: self.wireframe, ..params }
+    }
+
+    /// How many times as high a picture of this size is as the one that it looks like.
+    pub(super) fn times_as_high(&self, size: [u32; 2]) -> f64 {
+        self.for_height.map_or(1.0, |height| f64::from(size[1]) / f64::from(height))
     }
 
     /// Whether a mapping was asked for by name.

@@ -25,6 +25,8 @@ pub struct HatchMap {
     pub stroke_map: Option<StrokeMap>,
     /// What it was made from, where that is known.
     pub preset: Option<Preset>,
+    /// How many times as many texels its strokes have as the preset says.
+    pub texels: u32,
     fine: OnceLock<Grid>,
 }
 
@@ -36,6 +38,15 @@ impl HatchMap {
     pub fn from_preset(name: &str, preset: &Preset, job: &Job<'_>) -> Result<Self, GenerateError> {
         let map = tam_gen::generate(preset, job)?;
         Ok(Self::new(name, map.grid, Some(map.stroke_map), Some(preset.clone())))
+    }
+
+    /// The same strokes with so many times as many texels; see [`Preset::texels_for`].
+    ///
+    /// # Errors
+    /// As [`HatchMap::from_preset`].
+    pub fn finer(name: &str, preset: &Preset, texels: u32, job: &Job<'_>) -> Result<Self, GenerateError> {
+        let map = tam_gen::generate_finer(preset, texels, job)?;
+        Ok(Self { texels, ..Self::new(name, map.grid, Some(map.stroke_map), Some(preset.clone())) })
     }
 
     /// A map that was generated already.
@@ -51,7 +62,7 @@ impl HatchMap {
 
     fn new(name: &str, mut grid: Grid, stroke_map: Option<StrokeMap>, preset: Option<Preset>) -> Self {
         grid.append_tail();
-        Self { name: name.to_owned(), grid, stroke_map, preset, fine: OnceLock::new() }
+        Self { name: name.to_owned(), grid, stroke_map, preset, texels: 1, fine: OnceLock::new() }
     }
 
     /// The array of many columns: made from the preset with the same sequences, or else the map's own columns.
@@ -75,7 +86,7 @@ impl HatchMap {
         };
         let mut preset = preset.clone();
         preset.map.tones = Tones::Count(FINE_COLUMNS);
-        let mut grid = tam_gen::generate(&preset, job)?.grid;
+        let mut grid = tam_gen::generate_finer(&preset, self.texels, job)?.grid;
         grid.append_tail();
         Ok(self.fine.get_or_init(|| grid))
     }

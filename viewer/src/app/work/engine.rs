@@ -334,7 +334,7 @@ impl Engine {
             return;
         }
         let stillness = if moving { Stillness::Moving } else { Stillness::Still };
-        if moving {
+        if moving && costly {
             shot.samples = 1;
         }
         if moving && costly {

@@ -1,6 +1,7 @@
 //! What is written to disk: maps, pictures, turntables.
 
 use std::path::{Path as FilePath, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 use tam_gen::export::{ExportError, ExportOptions, Format, export};
@@ -8,6 +9,7 @@ use tam_gen::{GenerateError, Job, Preset};
 
 use super::painter::{Painter, Shot};
 use super::worker::{Wake, Worker};
+use crate::maps::HatchMap;
 use crate::turntable::{FrameFile, FrameWriter, Path};
 
 /// What is to be written.
@@ -43,7 +45,11 @@ pub(super) fn file_worker(wake: Wake) -> std::io::Result<FileWorker> {
     let work = |painter: &mut Option<Painter>, request: FileRequest, job: &Job<'_>, reply: &dyn Fn(FileReply)| {
         let written = match request {
             FileRequest::Export { name, preset, folder, options } => map(&name, &preset, &folder, &options, job),
-            FileRequest::Picture { shot, path } => picture(painter, &shot, &path),
+            FileRequest::Picture { mut shot, path } => match with_finer_maps(&mut shot, job) {
+                Ok(()) => picture(painter, &shot, &path),
+                Err(GenerateError::Cancelled) => Ok(FileReply::Cancelled),
+                Err(error) => Err(error.to_string()),
+            },
             FileRequest::Turntable { shot, along, path, frames, fps } => {
                 turntable(painter, &shot, along, &path, frames, fps, job)
             }
@@ -77,6 +83,23 @@ fn map(
     let bytes: u64 = written.iter().map(|file| file.bytes).sum();
     let text = format!("{} files, {} in {}", written.len(), super::super::words::bytes(bytes), folder.display());
     Ok(FileReply::Written { text, place: folder.to_owned() })
+}
+
+/// Makes maps finer for a picture that is larger than the one it looks like, where their presets are known.
+fn with_finer_maps(shot: &mut Shot, job: &Job<'_>) -> Result<(), GenerateError> {
+    let times = f64::from(shot.size_px[1]) / f64::from(shot.for_height.max(1));
+    let mut made: Vec<(Arc<HatchMap>, Arc<HatchMap>)> = Vec::new();
+    for map in shot.sides.iter_mut().flat_map(|side| &mut side.sitters).flat_map(|sitter| &mut sitter.maps) {
+        if let Some((_, finer)) = made.iter().find(|(own, _)| Arc::ptr_eq(own, map)) {
+            *map = Arc::clone(finer);
+        } else if let Some(preset) = map.preset.as_ref().filter(|preset| preset.texels_for(times) > 1) {
+            let job = Job { progress: None, ..*job };
+            let finer = Arc::new(HatchMap::finer(&map.name, preset, preset.texels_for(times), &job)?);
+            made.push((Arc::clone(map), Arc::clone(&finer)));
+            *map = finer;
+        }
+    }
+    Ok(())
 }
 
 fn painter(kept: &mut Option<Painter>) -> Result<&mut Painter, String> {

@@ -23,6 +23,8 @@ const TARGETS: usize = 4;
 #[derive(Clone, Debug)]
 pub(super) struct Shot {
     pub size_px: [u32; 2],
+    /// Height of the picture that this one looks like, in more pixels or fewer.
+    pub for_height: u32,
     /// 1 or 4.
     pub samples: u32,
     pub scene: Scene,
@@ -195,13 +197,16 @@ impl Painter {
             scene = path.scene(&scene, phase);
         }
         let maps: Vec<&GpuMap> = uploaded.iter().map(|map| &maps[*map].0).collect();
-        let object = |((sitter, mesh), materials)| {
-            let Sitter { params, world_from_mesh, ink, .. }: &Sitter = sitter;
-            let mesh: &usize = mesh;
-            let materials: &Vec<Material> = materials;
-            Object { mesh: &kept[*mesh].mesh, world_from_mesh: *world_from_mesh, params, ink: *ink, materials }
-        };
-        let objects: Vec<Object<'_>> = side.sitters.iter().zip(&meshes).zip(&materials).map(object).collect();
+        let times = f64::from(shot.size_px[1]) / f64::from(shot.for_height.max(1));
+        let texels = |sitter: &Sitter| sitter.maps.first().map_or(1, |map| map.texels);
+        let look = |sitter: &Sitter| sitter.params.times_as_high(times, texels(sitter).into());
+        let looks: Vec<RenderParams> = side.sitters.iter().map(look).collect();
+        let parts = side.sitters.iter().zip(&looks).zip(&meshes).zip(&materials);
+        let mut objects: Vec<Object<'_>> = Vec::with_capacity(looks.len());
+        for (((sitter, params), mesh), materials) in parts {
+            let (world_from_mesh, ink) = (sitter.world_from_mesh, sitter.ink);
+            objects.push(Object { mesh: &kept[*mesh].mesh, world_from_mesh, params, ink, materials });
+        }
         let cost = timer.time(renderer, |renderer, timer| {
             renderer.render_objects(&scene, &objects, &maps, &targets[target], Some(timer))
         })?;

@@ -62,8 +62,16 @@ impl Thumbnails {
         scene.lights.lights = vec![Light::from_angles(-38.0, 42.0)];
         let points: Vec<_> = mesh.positions.iter().map(|position| position.as_dvec3()).collect();
         scene.camera.frame_points(&points, 1.0, 0.08);
-        let shot =
-            Shot { size_px: [SIDE_PX; 2], samples: 4, scene, pose: None, sides: vec![side], split: 1.0, chosen: 0 };
+        let shot = Shot {
+            size_px: [SIDE_PX; 2],
+            for_height: SIDE_PX,
+            samples: 4,
+            scene,
+            pose: None,
+            sides: vec![side],
+            split: 1.0,
+            chosen: 0,
+        };
         Ok(Some(painter.paint(&shot)?.image))
     }
 

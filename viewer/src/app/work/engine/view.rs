@@ -85,7 +85,8 @@ impl Engine {
             scene.camera.distance = self.round.distance(&scene.camera, &placed, self.view_px, size_px);
         }
         let pose = motion.map(|motion| (path_of(motion), state.transient.phase));
-        Some(Shot { size_px, samples: 4, scene, pose, sides, split, chosen })
+        let for_height = if self.view_px[1] == 0 { size_px[1] } else { self.view_px[1] };
+        Some(Shot { size_px, for_height, samples: 4, scene, pose, sides, split, chosen })
     }
 
     /// All that is visible of the meshes that are there, the chosen object as another side of a comparison has it.
