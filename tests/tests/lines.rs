@@ -1,4 +1,5 @@
 //! Widths of contours, borders and creases: as wide as they are asked, and as wide everywhere.
+#![allow(clippy::print_stdout)]
 
 use glam::{DMat4, DVec2, DVec3, Vec3};
 use tam_tests::gpu::{Stage, front_camera, loaded};
@@ -146,7 +147,7 @@ fn borders_and_creases_are_as_wide_as_asked_at_any_angle() {
                 let lines = Silhouettes { width_px: asked, crease_deg: Some(30.0), ..Silhouettes::default() };
                 let world = |point: Vec3| place(&scene, scene.world_from_mesh.transform_point3(point.as_dvec3()), side);
                 let ink = Ink::drawn(&mut stage, &scene, &sheet, lines, side, samples);
-                let mut along = |ink: &Ink, from: Vec3, to: Vec3, widths: &mut Vec<f64>| {
+                let along = |ink: &Ink, from: Vec3, to: Vec3, widths: &mut Vec<f64>| {
                     let (from, to) = (world(from), world(to));
                     for share in 0..30 {
                         let at = from.lerp(to, 0.2 + 0.02 * f64::from(share));

@@ -167,13 +167,10 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
             }
         }
 
-        Command::OpenShipped(_)
-        | Command::OpenPreset(Some(_))
-        | Command::OpenScene(Some(_))
-        | Command::NewPreset
-        | Command::Quit
-            if state.is_unsaved() =>
-        {
+        Command::OpenShipped(_) | Command::OpenPreset(Some(_)) | Command::NewPreset if state.is_unsaved() => {
+            state.transient.dialog = Some(Dialog::Unsaved(Box::new(command)));
+        }
+        Command::OpenScene(Some(_)) | Command::Quit if state.has_unsaved() => {
             state.transient.dialog = Some(Dialog::Unsaved(Box::new(command)));
         }
         Command::Discard(command) => {

@@ -79,7 +79,7 @@ fn object_entry(
     part_presets: &BTreeMap<PathBuf, Preset>,
     beside: &mut dyn Beside,
 ) -> Result<ObjectEntry, String> {
-    let mut entry = object.standing.entry();
+    let mut entry = mesh.map_or_else(|| object.standing.entry(), |loaded| object.standing.known_parts(&loaded.mesh));
     (entry.mesh, entry.triangles) = match object.mesh {
         MeshSource::Sample(sample, triangles) => {
             let own = *triangles != sample.default_triangles();

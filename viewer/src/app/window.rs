@@ -288,7 +288,7 @@ impl App {
     /// Asks before changes are lost.
     fn closing(&self, ctx: &Context, commands: &mut Vec<Command>) {
         let state = &self.model.state;
-        if ctx.input(|input| input.viewport().close_requested()) && state.is_unsaved() && !state.transient.may_close {
+        if ctx.input(|input| input.viewport().close_requested()) && state.has_unsaved() && !state.transient.may_close {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             commands.push(Command::Quit);
         }

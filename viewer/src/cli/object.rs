@@ -29,12 +29,19 @@ fn own_words() -> impl Iterator<Item = &'static str> {
     ObjectEntry::WORDS.iter().map(|word| word.name).filter(|name| !["name", "mesh"].contains(name))
 }
 
+/// Whether something can be said of an object or a part by this word.
+fn is_word(key: &str) -> bool {
+    key == "color" || own_words().chain(LookEntry::WORDS.iter().map(|word| word.name)).any(|word| word == key)
+}
+
 /// Reads `NAME:key=value,…`; a value may itself have commas.
 pub(super) fn object(text: &str) -> Result<ObjectArg, String> {
     let expected = "expected: NAME:key=value,… with keys such as method, mapping, map, ink, colour, rotate, visible";
-    // Names and paths may have colons too: the last one before the first key counts.
+    // Names and paths may have colons too: the first one before a key counts, or else the last one before anything like it.
+    let is_key = |at: &usize| text[at + 1..].split_once('=').is_some_and(|(key, _)| is_word(key.trim()));
+    let before_key = text.match_indices(':').map(|(at, _)| at).find(is_key);
     let key_end = text.find('=').ok_or(expected)?;
-    let name_end = text[..key_end].rfind(':').ok_or(expected)?;
+    let name_end = before_key.or_else(|| text[..key_end].rfind(':')).ok_or(expected)?;
     let (name, words) = (&text[..name_end], &text[name_end + 1..]);
     let mut arg = ObjectArg { name: name.into(), ..ObjectArg::default() };
     let mut pairs: Vec<(&str, String)> = Vec::new();
@@ -47,11 +54,10 @@ pub(super) fn object(text: &str) -> Result<ObjectArg, String> {
     }
     let Settings { object, look } = &mut arg.settings;
     for (key, value) in &pairs {
-        let is_look = *key == "color" || LookEntry::WORDS.iter().any(|word| word.name == *key);
-        let set = if is_look {
-            look.set(key, value)
-        } else if own_words().any(|word| word == *key) {
+        let set = if own_words().any(|word| word == *key) {
             object.set(key, value)
+        } else if is_word(key) {
+            look.set(key, value)
         } else {
             let known: Vec<&str> = own_words().chain(LookEntry::WORDS.iter().map(|word| word.name)).collect();
             return Err(unknown("setting", key, known));
@@ -181,6 +187,8 @@ mod tests {
             ("the seat", Some(DVec2::new(0.25, -0.5)), Some(30.0))
         );
         assert_eq!(look.specular, Some(Specular { strength: 0.5, shininess: 40.0 }));
+        let odd = object("a=b:c:rotate=3,map=C:/x.toml").expect("an object");
+        assert_eq!((odd.name.as_str(), odd.settings.look.rotate_deg), ("a=b:c", Some(3.0)));
         let place = place("C:/a:1,2,3,90").expect("a place");
         assert_eq!((place.name.as_str(), place.settings.object.place.map(|at| at.turn_deg)), ("C:/a", Some(90.0)));
     }
@@ -203,8 +211,8 @@ mod tests {
     #[test]
     fn objects_go_before_parts_and_names_that_are_none_bring_the_nearest() {
         let chair = prepare(Sample::Chair.build(3000)).expect("a chair").mesh;
-        let mut file = SceneFile::default();
-        file.objects = vec![ObjectEntry::of("chair", None), ObjectEntry::of("chair", None)];
+        let objects = vec![ObjectEntry::of("chair", None), ObjectEntry::of("chair", None)];
+        let mut file = SceneFile { objects, ..SceneFile::default() };
         file.name_objects();
         let said = |file: &mut SceneFile, texts: &[&str]| {
             let args: Vec<ObjectArg> = texts.iter().map(|text| object(text).expect("it makes sense")).collect();

@@ -11,22 +11,7 @@ impl Mesh {
     /// Some of its parts alone, by their numbers in rising order. Where they hung together with the others there are
     /// boundaries; everything stays where it was.
     pub fn only(&self, parts: &[usize]) -> Self {
-        let mut mesh = Self {
-            name: self.name.clone(),
-            positions: Vec::new(),
-            normals: Vec::new(),
-            uvs: Vec::new(),
-            points: Vec::new(),
-            point_count: 0,
-            normal_groups: Vec::new(),
-            sources: Vec::new(),
-            midpoints: Vec::new(),
-            triangles: Vec::new(),
-            neighbours: Vec::new(),
-            parts: Vec::new(),
-            placement: self.placement,
-            animation: self.animation.clone(),
-        };
+        let mut mesh = Self { animation: self.animation.clone(), ..Self::empty(&self.name, self.placement) };
         let mut kept: Vec<u32> = Vec::new();
         for part in parts.iter().filter_map(|part| self.parts.get(*part)) {
             let from = kept.len() as u32;
@@ -57,15 +42,9 @@ impl Mesh {
         mesh
     }
 
-    /// Meshes at their places as one, at rest. It has uv where all have.
-    pub fn joined(name: &str, placed: &[(&Self, DMat4)]) -> Self {
-        if let [(only, world)] = placed
-            && *world == DMat4::IDENTITY
-        {
-            return (*only).clone();
-        }
-        let with_uv = placed.iter().all(|(mesh, _)| !mesh.uvs.is_empty());
-        let mut whole = Self {
+    /// A mesh of nothing yet.
+    fn empty(name: &str, placement: Placement) -> Self {
+        Self {
             name: name.to_owned(),
             positions: Vec::new(),
             normals: Vec::new(),
@@ -78,9 +57,20 @@ impl Mesh {
             triangles: Vec::new(),
             neighbours: Vec::new(),
             parts: Vec::new(),
-            placement: Placement { centre: DVec3::ZERO, scale: 1.0 },
+            placement,
             animation: None,
-        };
+        }
+    }
+
+    /// Meshes at their places as one, at rest. It has uv where all have.
+    pub fn joined(name: &str, placed: &[(&Self, DMat4)]) -> Self {
+        if let [(only, world)] = placed
+            && *world == DMat4::IDENTITY
+        {
+            return (*only).clone();
+        }
+        let with_uv = placed.iter().all(|(mesh, _)| !mesh.uvs.is_empty());
+        let mut whole = Self::empty(name, Placement { centre: DVec3::ZERO, scale: 1.0 });
         let mut groups = 0;
         for (mesh, world) in placed {
             let (vertex, face) = (whole.positions.len() as u32, whole.triangles.len() as u32);

@@ -108,7 +108,6 @@ impl Scene {
             paper: with_alpha(self.paper),
             ink: with_alpha(ink),
             lights,
-            ..types::Scene::default()
         }
     }
 }

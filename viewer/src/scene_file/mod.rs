@@ -11,6 +11,7 @@ mod view;
 mod word;
 mod write;
 
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 pub use look::{FieldEntry, LookEntry, MappingEntry};
@@ -40,13 +41,17 @@ pub struct SceneFile {
 impl SceneFile {
     /// Gives every object a name that no other has: its own, or that of its mesh, with a number where it is taken.
     pub fn name_objects(&mut self) {
-        let mut taken = std::collections::HashSet::new();
+        let mut taken = HashSet::new();
+        // The number that was given last after each name.
+        let mut numbers: HashMap<String, usize> = HashMap::new();
         for object in &mut self.objects {
             let name = object.given_name();
-            let numbered = (2..).map(|number| format!("{name}-{number}"));
-            let free = std::iter::once(name.clone()).chain(numbered).find(|name| !taken.contains(name));
-            object.name = free.unwrap_or(name);
-            taken.insert(object.name.clone());
+            object.name.clone_from(&name);
+            while !taken.insert(object.name.clone()) {
+                let number = numbers.entry(name.clone()).or_insert(1);
+                *number += 1;
+                object.name = format!("{name}-{number}");
+            }
         }
     }
 

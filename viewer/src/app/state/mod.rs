@@ -40,9 +40,14 @@ pub struct State {
 }
 
 impl State {
-    /// Whether the preset differs from what is on disk.
+    /// Whether the preset of the chosen object differs from what is on disk.
     pub fn is_unsaved(&self) -> bool {
         self.saved.get(&self.document.source.key()) != Some(&self.document.preset)
+    }
+
+    /// Whether that of any object does.
+    pub fn has_unsaved(&self) -> bool {
+        self.document.objects().any(|object| self.saved.get(&object.source.key()) != Some(object.preset))
     }
 
     /// What the preset is called.

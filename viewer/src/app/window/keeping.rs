@@ -54,7 +54,7 @@ pub(super) fn restore(path: Option<PathBuf>) -> (State, Tree<Pane>, Option<KeptS
         tell(&mut state, Severity::Info, text.to_owned());
         return (state, layout, None);
     };
-    if lost && state.is_unsaved() {
+    if lost && state.has_unsaved() {
         let text = "The last session did not end properly. What was not saved is still here.";
         tell(&mut state, Severity::Info, text.to_owned());
     }
@@ -113,21 +113,28 @@ impl App {
 
 /// Finds out what is on disk, so that it is known what is unsaved.
 pub(super) fn look_up_saved(state: &mut State) {
-    let source = state.document.source.clone();
-    let on_disk = match &source {
-        PresetSource::Shipped(name) => tam_gen::Preset::named(name).and_then(Result::ok),
-        PresetSource::File(path) => match tam_gen::Preset::load(path) {
-            Ok(preset) => Some(preset),
-            Err(_) => {
-                let text = format!("{} can no longer be read; what was open is still here.", path.display());
-                tell(state, Severity::Warning, text);
-                None
-            }
-        },
-        PresetSource::New(_) => state.saved.get(&source.key()).cloned(),
-    };
-    state.saved.clear();
-    state.saved.extend(on_disk.map(|preset| (source.key(), preset)));
+    let mut sources: Vec<PresetSource> = Vec::new();
+    for source in state.document.objects().map(|object| object.source) {
+        if !sources.contains(source) {
+            sources.push(source.clone());
+        }
+    }
+    let before = std::mem::take(&mut state.saved);
+    for source in sources {
+        let on_disk = match &source {
+            PresetSource::Shipped(name) => tam_gen::Preset::named(name).and_then(Result::ok),
+            PresetSource::File(path) => match tam_gen::Preset::load(path) {
+                Ok(preset) => Some(preset),
+                Err(_) => {
+                    let text = format!("{} can no longer be read; what was open is still here.", path.display());
+                    tell(state, Severity::Warning, text);
+                    None
+                }
+            },
+            PresetSource::New(_) => before.get(&source.key()).cloned(),
+        };
+        state.saved.extend(on_disk.map(|preset| (source.key(), preset)));
+    }
     if let MeshSource::File(path) = &state.document.mesh
         && !path.exists()
     {

@@ -18,9 +18,12 @@ pub(super) struct Round {
     known: Option<(Asked, Whole)>,
 }
 
+/// A mesh, and where it stands.
+type Placed = (Arc<Mesh>, DMat4);
+
 /// What distances depend on.
 struct Asked {
-    placed: Vec<(Arc<Mesh>, DMat4)>,
+    placed: Vec<Placed>,
     /// At distance 0.
     camera: Camera,
     view_px: [u32; 2],
@@ -43,7 +46,7 @@ impl Round {
     pub(super) fn distance(
         &mut self,
         camera: &Camera,
-        placed: &[(Arc<Mesh>, DMat4)],
+        placed: &[Placed],
         view_px: [u32; 2],
         frame_px: [u32; 2],
     ) -> f64 {
@@ -62,9 +65,7 @@ impl Round {
 
 impl PartialEq for Asked {
     fn eq(&self, other: &Self) -> bool {
-        let same = |((own, at), (other, other_at)): (&(Arc<Mesh>, DMat4), &(Arc<Mesh>, DMat4))| {
-            Arc::ptr_eq(own, other) && at == other_at
-        };
+        let same = |((own, at), (other, other_at)): (&Placed, &Placed)| Arc::ptr_eq(own, other) && at == other_at;
         self.placed.len() == other.placed.len()
             && self.placed.iter().zip(&other.placed).all(same)
             && (self.camera, self.view_px, self.frame_px) == (other.camera, other.view_px, other.frame_px)
