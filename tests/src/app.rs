@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use egui_kittest::Harness;
-use tam_viewer::app::{App, Command, Options};
+use tam_viewer::app::{App, Command, Options, setup};
 
 /// Longest time that anything may take that the view shows.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -24,12 +24,19 @@ impl Window {
     /// # Panics
     /// If it does not start.
     pub fn open(size: [f32; 2], session: Option<&Path>) -> Self {
-        let options = Options { session: session.map(Path::to_owned), files: Vec::new() };
-        let harness = Harness::builder()
-            .with_size(size)
-            .with_step_dt(0.1)
-            .wgpu()
-            .build_eframe(move |creation| App::new(&creation.egui_ctx, options).expect("the application starts"));
+        Self::with(size, Options { session: session.map(Path::to_owned), ..Options::default() })
+    }
+
+    /// Opens the application with these options.
+    ///
+    /// # Panics
+    /// If it does not start.
+    pub fn with(size: [f32; 2], options: Options) -> Self {
+        let harness =
+            Harness::builder().with_size(size).with_step_dt(0.1).wgpu_setup(setup()).build_eframe(move |creation| {
+                let window = creation.wgpu_render_state.as_ref().expect("a device");
+                App::new(&creation.egui_ctx, window, options).expect("the application starts")
+            });
         Self { harness }
     }
 

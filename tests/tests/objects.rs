@@ -243,14 +243,9 @@ fn a_frame_is_recorded_into_anyones_views_and_formats_that_take_none_are_named()
     let mut record = |params: &RenderParams, colour, depth| {
         let formats = TargetFormats { colour, depth, samples: 1 };
         let texture = texture(colour);
-        let into = TargetViews {
-            colour: &texture.create_view(&wgpu::TextureViewDescriptor::default()),
-            resolve: None,
-            depth: &formats.depth_view(&stage.renderer.gpu, [SIDE; 2]),
-            size_px: [SIDE; 2],
-            formats,
-            clears: true,
-        };
+        let colours = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let depths = formats.depth_view(&stage.renderer.gpu, [SIDE; 2]);
+        let into = TargetViews::new(&colours, &depths, [SIDE; 2], formats);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let objects = [Object::of(&scene, params, &mesh)];
         stage.renderer.record(&mut encoder, &scene, &objects, &[&stage.map], &into)?;

@@ -44,7 +44,7 @@ impl Shown {
             TargetFormats { colour: self.config.format, depth: wgpu::TextureFormat::Depth32Float, samples: 1 };
         let depth = &formats.depth_view(&self.renderer.gpu, size_px);
         let colour = &shown.texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let into = TargetViews { colour, resolve: None, depth, size_px, formats, clears: true };
+        let into = TargetViews::new(colour, depth, size_px, formats);
         self.frame += 1;
         let (mut scene, params) = (Scene::default(), RenderParams::default());
         scene.lights.lights = vec![Light::from_angles(f64::from(self.frame) * 2.0, 35.0)];

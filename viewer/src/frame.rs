@@ -74,8 +74,23 @@ impl Renderer {
         target: &Target,
         timer: Option<&FrameTimer>,
     ) -> Result<(), RenderError> {
+        self.render_into(scene, objects, maps, &target.views(), timer)
+    }
+
+    /// Draws many objects into any views.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_into(
+        &mut self,
+        scene: &Scene,
+        objects: &[Object<'_>],
+        maps: &[&GpuMap],
+        into: &TargetViews<'_>,
+        timer: Option<&FrameTimer>,
+    ) -> Result<(), RenderError> {
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.record_timed(&mut encoder, scene, objects, maps, &target.views(), timer)?;
+        self.record_timed(&mut encoder, scene, objects, maps, into, timer)?;
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.check()?;
         Ok(())
@@ -111,6 +126,9 @@ impl Renderer {
                 occlusion_query_set: None,
                 multiview_mask: None,
             });
+            if let Some([left, top, width, height]) = into.region_px {
+                pass.set_scissor_rect(left, top, width, height);
+            }
             self.shading.record(&mut pass, group, &draws);
             self.lines.record(&mut pass, group, into.formats, &draws);
         }

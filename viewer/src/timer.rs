@@ -26,13 +26,13 @@ impl FrameTimer {
                 ty: wgpu::QueryType::Timestamp,
                 count: 2,
             }),
-            resolved: gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            resolved: gpu.buffer(&wgpu::BufferDescriptor {
                 label: Some("timestamps"),
                 size: 16,
                 usage: wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
                 mapped_at_creation: false,
             }),
-            back: gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            back: gpu.buffer(&wgpu::BufferDescriptor {
                 label: Some("timestamps back"),
                 size: 16,
                 usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,

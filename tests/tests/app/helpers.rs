@@ -9,7 +9,7 @@ use tam_tests::app::Window;
 /// The pixels of the view.
 pub(crate) fn picture(window: &Window) -> Vec<u8> {
     let shown = window.app().results().picture.as_ref().expect("a picture");
-    shown.image.pixels.iter().flat_map(|pixel| pixel.to_array()).collect()
+    shown.canvas.read().expect("a device").into_raw()
 }
 
 /// Share of pixels that differ.

@@ -2,6 +2,7 @@
 
 mod chart;
 mod controls;
+mod device;
 mod files;
 mod helpers;
 mod scenes;

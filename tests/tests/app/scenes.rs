@@ -96,7 +96,7 @@ fn saved_and_copied_scenes_are_drawn_by_the_command_line_as_the_window_shows_the
     let mut lights = window.app().state().document.lights.clone();
     lights.lights.push(tam_viewer::Light { intensity: 0.4, ..tam_viewer::Light::from_angles(70.0, 15.0) });
     window.run(Command::SetLights(lights));
-    let [width, height] = window.app().results().picture.as_ref().expect("a picture").image.size;
+    let [width, height] = window.app().results().picture.as_ref().expect("a picture").canvas.size_px();
     let size = format!("{width}x{height}");
 
     let command = copied(&mut window);

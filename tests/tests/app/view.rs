@@ -76,7 +76,7 @@ fn two_looks_are_wiped_and_one_preset_beside_another() {
     window.settle();
     let compare = window.app().state().document.compare.clone().expect("comparing");
     let both = picture(&window);
-    let width = window.app().results().picture.as_ref().expect("a picture").image.size[0];
+    let width = window.app().results().picture.as_ref().expect("a picture").canvas.size_px()[0] as usize;
     let half = |pixels: &[u8], right: bool| -> Vec<u8> {
         let rows = pixels.chunks_exact(width * 4);
         rows.flat_map(|row| if right { &row[width * 2 + 16..] } else { &row[..width * 2 - 16] }).copied().collect()
@@ -129,7 +129,7 @@ fn views_are_filled_to_their_pixels_at_any_size_of_the_interface() {
     let mut window = Window::ready();
     for zoom in [1.0, 1.5, 2.0] {
         window.run(Command::SetZoom(zoom));
-        let size = window.app().results().picture.as_ref().expect("a picture").image.size;
+        let size = window.app().results().picture.as_ref().expect("a picture").canvas.size_px();
         let view = window.harness.get_by_label("Picture of the mesh").rect();
         for (pixels, points) in size.into_iter().zip([view.width(), view.height()]) {
             assert!((pixels as f32 - points * zoom).abs() <= 1.0, "{zoom}: {size:?} {view:?}");

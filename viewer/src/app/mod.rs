@@ -5,8 +5,9 @@
 //! ```
 //!
 //! Panels are functions of the state that push commands; `apply` is the one place where state changes.
-//! Workers make maps, surfaces and pictures beside the window, which never waits; the newest request wins. The device that
-//! draws is not the window's: if it is lost, the window stays.
+//! Workers make maps, surfaces and pictures beside the window, which never waits; the newest request wins. Pictures of the
+//! view are drawn on the window's device and stay there; files have a device of their own. If the window's device is lost,
+//! another window is opened with everything that was in this one.
 
 mod actions;
 mod apply;
@@ -31,8 +32,8 @@ mod work;
 pub use apply::{Effect, MESH_KINDS};
 pub use command::Command;
 pub use layout::Pane;
-pub use run::{AppError, WindowOptions, run};
+pub use run::{AppError, WindowOptions, run, setup};
 pub use session::default_path as default_session;
 pub use state::*;
-pub use window::{App, Options};
-pub use work::{ChartResults, FitResults, FittedScene, MeasuredWay, Results};
+pub use window::{App, Leaving, Options};
+pub use work::{Canvas, ChartResults, FitResults, FittedScene, MeasuredWay, Results, Shown};

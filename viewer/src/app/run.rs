@@ -1,10 +1,13 @@
 //! Opens the window.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use eframe::NativeOptions;
+use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 
 use super::window::{App, Options};
+use crate::gpu::{Gpu, GpuOptions};
 
 /// Smallest window in which everything can be reached, in points.
 const LEAST: [f32; 2] = [880.0, 560.0];
@@ -44,21 +47,55 @@ pub fn run(options: WindowOptions) -> Result<(), AppError> {
     let native = NativeOptions {
         viewport,
         persist_window: options.size.is_none() && options.picture.is_none(),
+        wgpu_options: WgpuConfiguration { wgpu_setup: setup(), ..WgpuConfiguration::default() },
         ..NativeOptions::default()
     };
     let (sent, written) = std::sync::mpsc::channel();
-    let creator = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
-        let app = App::new(&creation.egui_ctx, options.app)?;
-        Ok(match options.picture {
-            Some(path) => Box::new(Photographer { app, path, still: 0, asked: false, sent }),
-            None => Box::new(app) as Box<dyn eframe::App>,
-        })
-    };
-    eframe::run_native("tam-viewer", native, Box::new(creator)).map_err(|error| AppError::Window(error.to_string()))?;
+    let mut opened = 0;
+    loop {
+        let (start, picture, sent) = (options.app.clone(), options.picture.clone(), sent.clone());
+        let creator = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
+            let window = creation.wgpu_render_state.as_ref().ok_or("the window is not drawn by wgpu")?;
+            let app = App::new(&creation.egui_ctx, window, start)?;
+            Ok(match picture {
+                Some(path) => Box::new(Photographer { app, path, still: 0, asked: false, sent }),
+                None => Box::new(app) as Box<dyn eframe::App>,
+            })
+        };
+        let ended = eframe::run_native("tam-viewer", native.clone(), Box::new(creator));
+        opened += 1;
+        match ended {
+            // Its device was lost, and all was left for the next window.
+            _ if options.app.left.is_some() && opened <= REOPENED => {}
+            Ok(()) if options.app.left.is_some() => {
+                return Err(AppError::Window("its graphics device is lost again and again".to_owned()));
+            }
+            Err(error) => return Err(AppError::Window(error.to_string())),
+            Ok(()) => break,
+        }
+    }
     match written.try_recv() {
         Ok(Err(problem)) => Err(AppError::Picture(problem)),
         _ => Ok(()),
     }
+}
+
+/// Windows that are opened after one whose device was lost.
+const REOPENED: u32 = 5;
+
+/// How a window opens the device on which it and its pictures are drawn: the adapter that [`Gpu::open`] takes, of those
+/// that can show a window, with all that drawing makes use of.
+pub fn setup() -> WgpuSetup {
+    let select = |adapters: &[wgpu::Adapter], surface: Option<&wgpu::Surface<'_>>| {
+        let shows = |adapter: &&wgpu::Adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface));
+        let able: Vec<wgpu::Adapter> = adapters.iter().filter(shows).cloned().collect();
+        Gpu::choose(&able, &GpuOptions::default()).cloned().map_err(|error| error.to_string())
+    };
+    WgpuSetup::CreateNew(WgpuSetupCreateNew {
+        native_adapter_selector: Some(Arc::new(select)),
+        device_descriptor: Arc::new(Gpu::descriptor),
+        ..WgpuSetupCreateNew::without_display_handle()
+    })
 }
 
 /// Frames without any work after which the window has come to rest.

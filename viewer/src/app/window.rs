@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use eframe::egui_wgpu::RenderState;
 use egui::{Context, Key, KeyboardShortcut, Ui, ViewportCommand};
 use egui_tiles::{SimplificationOptions, TileId, UiResponse};
 use glam::DVec3;
@@ -23,7 +24,9 @@ use super::textures::Textures;
 use super::watch::FileWatch;
 use super::work::{Demand, Engine, MARGIN, Results, Wake};
 use super::{panels, style};
-use keeping::{KeptSession, Written, look_up_saved, restore};
+use crate::gpu::{Gpu, GpuOptions};
+pub use keeping::Leaving;
+use keeping::{KeptSession, Left, Written, look_up_saved, restore};
 
 /// How long a movement by the wheel is taken to go on, in seconds.
 const WHEEL_S: f64 = 0.18;
@@ -38,12 +41,15 @@ pub struct Options {
     pub session: Option<PathBuf>,
     /// Files to open.
     pub files: Vec<PathBuf>,
+    /// Where the application is put when the window's device is lost, and taken from by the window after it.
+    pub left: Leaving,
 }
 
 /// The application.
 pub struct App {
     model: Model,
     engine: Engine,
+    gpu: Gpu,
     results: Results,
     textures: Textures,
     asker: Asker,
@@ -59,25 +65,40 @@ pub struct App {
     title: String,
     /// When it started, until the first picture is there.
     started: Option<Instant>,
+    /// Number of the picture that was on the screen last.
+    seen: u64,
+    /// Where all is put when the device is lost.
+    left: Leaving,
 }
 
 impl App {
-    /// Starts the application in a context, with the session that was left.
+    /// Starts the application in a context, with the session that was left; its pictures are drawn on the device that
+    /// draws the window.
     ///
     /// # Errors
     /// Where the system gives no threads.
-    pub fn new(ctx: &Context, options: Options) -> std::io::Result<Self> {
+    pub fn new(ctx: &Context, window: &RenderState, options: Options) -> std::io::Result<Self> {
         style::install(ctx);
         let repaint = ctx.clone();
         let wake: Wake = Arc::new(move || repaint.request_repaint());
-        let engine = Engine::start(&wake)?;
-        let (mut state, layout, session) = restore(options.session);
-        look_up_saved(&mut state);
+        let gpu = Gpu::watched(&window.device, &window.queue, &window.adapter, &GpuOptions::default());
+        let results = Results { adapter: Some(gpu.adapter.to_string()), ..Results::default() };
+        let engine = Engine::start(&wake, gpu.clone())?;
+        let (model, session) = match options.left.take() {
+            Some(Left { model, session }) => (model, session),
+            None => {
+                let (mut state, layout, session) = restore(options.session);
+                look_up_saved(&mut state);
+                (Model { state, history: History::default(), layout }, session)
+            }
+        };
         let mut app = Self {
-            model: Model { state, history: History::default(), layout },
+            model,
             engine,
-            results: Results::default(),
-            textures: Textures::default(),
+            gpu,
+            results,
+            textures: Textures::new(window.clone()),
+            left: options.left,
             asker: Asker::new(Arc::clone(&wake)),
             watch: FileWatch::new(wake),
             view: ViewReport::default(),
@@ -90,6 +111,7 @@ impl App {
             camera_moved_s: f64::NEG_INFINITY,
             title: String::new(),
             started: Some(Instant::now()),
+            seen: 0,
         };
         if !options.files.is_empty() {
             app.carry_out(ctx, vec![Command::OpenFiles(options.files)]);
@@ -112,6 +134,11 @@ impl App {
         &self.messages
     }
 
+    /// The window's device, on which pictures of the view are drawn.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
     /// Whether anything that the view shows is still being made or drawn.
     pub fn is_busy(&self) -> bool {
         self.engine.is_busy()
@@ -132,6 +159,10 @@ impl App {
         let ctx = ui.ctx().clone();
         style::follow(&ctx, &self.model.state.settings);
         let mut commands = self.collect();
+        if self.results.device_lost.is_some() {
+            self.leave(&ctx);
+            return;
+        }
         // What has come is drawn with at once, while the panels are laid out.
         self.follow(&ctx);
         let actions = actions(&self.model.state);
@@ -156,6 +187,14 @@ impl App {
             self.notices.push(ShownNotice::new(notice));
         }
         notices(&ctx, &mut self.notices);
+    }
+
+    /// Notes when a new picture came to the screen: now, and as long later as the window took to draw itself before.
+    fn see(&mut self, frame_s: Option<f32>) {
+        let Some(shown) = self.results.picture.as_ref().filter(|shown| shown.number != self.seen) else { return };
+        self.seen = shown.number;
+        let drawing = Duration::from_secs_f32(frame_s.unwrap_or(0.0).max(0.0));
+        self.results.to_screen = Some(shown.asked.elapsed() + drawing);
     }
 
     /// What workers, dialogs and other programs have brought.
@@ -389,8 +428,9 @@ impl App {
 }
 
 impl eframe::App for App {
-    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         self.show(ui);
+        self.see(frame.info().cpu_usage);
     }
 
     fn on_exit(&mut self) {

@@ -39,7 +39,7 @@ pub(super) fn run(args: &AppArgs) -> Result<(), Failure> {
     let kept = !args.fresh && args.screenshot.is_none();
     let session = args.session.clone().or_else(|| default_session().filter(|_| kept));
     let options = WindowOptions {
-        app: Options { session, files: args.files.clone() },
+        app: Options { session, files: args.files.clone(), ..Options::default() },
         size: args.window.map(|size| size.map(|side| side as f32)),
         picture: args.screenshot.clone(),
     };

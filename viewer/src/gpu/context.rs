@@ -5,6 +5,8 @@ use std::sync::Mutex;
 
 use tam_shaders::Capabilities;
 
+use super::made::Counts;
+
 /// Which adapter to use, and how.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct GpuOptions {
@@ -106,7 +108,8 @@ pub enum GpuError {
     Failed(String),
 }
 
-/// A device and its queue.
+/// A device and its queue; copies are of one and the same.
+#[derive(Clone)]
 pub struct Gpu {
     /// The device.
     pub device: wgpu::Device,
@@ -118,6 +121,9 @@ pub struct Gpu {
     pub capabilities: Capabilities,
     /// Whether passes can be timed on the device.
     pub has_timestamps: bool,
+    /// Whether a texture can be seen in another format than its own.
+    pub(crate) has_view_formats: bool,
+    pub(super) counts: Arc<Counts>,
     failure: Arc<Mutex<Option<Failure>>>,
 }
 
@@ -132,21 +138,29 @@ impl Gpu {
     /// # Errors
     /// [`GpuError`] if there is none, none of that name, or it gives no device.
     pub fn open(options: &GpuOptions) -> Result<Self, GpuError> {
-        let mut adapters = all_adapters();
-        if adapters.is_empty() {
-            return Err(GpuError::NoAdapter);
-        }
+        let adapters = all_adapters();
+        Self::from_adapter(Self::choose(&adapters, options)?, options)
+    }
+
+    /// The adapter that [`Gpu::open`] takes of several.
+    ///
+    /// # Errors
+    /// [`GpuError`] if there is none, or none of that name.
+    pub fn choose<'a>(adapters: &'a [wgpu::Adapter], options: &GpuOptions) -> Result<&'a wgpu::Adapter, GpuError> {
         let wanted = options.adapter.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok());
-        if let Some(wanted) = wanted {
-            let found = adapters.iter().map(|adapter| adapter.get_info().name).collect();
-            adapters.retain(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted.to_lowercase()));
-            if adapters.is_empty() {
-                return Err(GpuError::NoSuchAdapter { wanted, found });
-            }
-        }
-        // The first of the best kind: sorting is stable.
-        adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
-        Self::from_adapter(&adapters[0], options)
+        let is_wanted = |adapter: &&wgpu::Adapter| {
+            let name = adapter.get_info().name.to_lowercase();
+            wanted.as_ref().is_none_or(|wanted| name.contains(&wanted.to_lowercase()))
+        };
+        // The first of the best kind.
+        let chosen = adapters.iter().filter(is_wanted).min_by_key(|adapter| rank(&adapter.get_info()));
+        chosen.ok_or_else(|| match &wanted {
+            Some(wanted) if !adapters.is_empty() => GpuError::NoSuchAdapter {
+                wanted: wanted.clone(),
+                found: adapters.iter().map(|adapter| adapter.get_info().name).collect(),
+            },
+            _ => GpuError::NoAdapter,
+        })
     }
 
     /// Opens this adapter; a window's surface decides which.
@@ -155,8 +169,14 @@ impl Gpu {
     /// [`GpuError::Device`] if it gives no device.
     pub fn from_adapter(adapter: &wgpu::Adapter, options: &GpuOptions) -> Result<Self, GpuError> {
         let summary = AdapterSummary::of(&adapter.get_info());
+        let (device, queue) = pollster::block_on(adapter.request_device(&Self::descriptor(adapter)))
+            .map_err(|error| GpuError::Device { adapter: summary.to_string(), cause: error.to_string() })?;
+        Ok(Self::watched(&device, &queue, adapter, options))
+    }
+
+    /// What a device of this adapter is opened with: what drawing makes use of, as far as the adapter has it.
+    pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
         let useful = wgpu::Features::PRIMITIVE_INDEX | wgpu::Features::TIMESTAMP_QUERY;
-        let features = adapter.features() & useful;
         // What every WebGPU adapter has is enough, and less on older ones is tried with; only sizes may be larger.
         let own = adapter.limits();
         let required_limits = wgpu::Limits {
@@ -166,25 +186,27 @@ impl Gpu {
             max_texture_array_layers: own.max_texture_array_layers,
             ..wgpu::Limits::default().or_worse_values_from(&own)
         };
-        let descriptor = wgpu::DeviceDescriptor {
+        wgpu::DeviceDescriptor {
             label: Some("tam-viewer"),
-            required_features: features,
+            required_features: adapter.features() & useful,
             required_limits,
             ..wgpu::DeviceDescriptor::default()
-        };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-            .map_err(|error| GpuError::Device { adapter: summary.to_string(), cause: error.to_string() })?;
-        let gpu = Self::shared(&device, &queue, &adapter.get_info(), options);
+        }
+    }
+
+    /// A device that was opened elsewhere, whose callbacks become this one's: [`Gpu::check`] tells what goes wrong on it,
+    /// whoever uses it.
+    ///
+    /// Of `options` only `flat_face` counts.
+    pub fn watched(device: &wgpu::Device, queue: &wgpu::Queue, adapter: &wgpu::Adapter, options: &GpuOptions) -> Self {
+        let mut gpu = Self::shared(device, queue, &adapter.get_info(), options);
+        let flags = adapter.get_downlevel_capabilities().flags;
+        gpu.has_view_formats = flags.contains(wgpu::DownlevelFlags::VIEW_FORMATS);
         let lost = Arc::clone(&gpu.failure);
-        device.set_device_lost_callback(move |reason, message| {
-            // A device that the program itself drops is not lost.
-            if reason != wgpu::DeviceLostReason::Destroyed {
-                note(&lost, Failure::Lost(message));
-            }
-        });
+        device.set_device_lost_callback(move |_, message| note(&lost, Failure::Lost(message)));
         let failed = Arc::clone(&gpu.failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&failed, Failure::Error(error.to_string()))));
-        Ok(gpu)
+        gpu
     }
 
     /// Somebody else's device, whatever it was opened with: WebGPU's default limits are enough. Its callbacks stay as
@@ -206,6 +228,8 @@ impl Gpu {
             device: device.clone(),
             queue: queue.clone(),
             adapter: AdapterSummary::of(adapter),
+            has_view_formats: false,
+            counts: Arc::default(),
             failure: Arc::default(),
         }
     }
@@ -241,6 +265,19 @@ impl Gpu {
     pub fn wait(&self) -> Result<(), GpuError> {
         self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Lost(error.to_string()))?;
         self.check()
+    }
+
+    /// Copies texels, once the work before is done.
+    #[cfg(feature = "app")]
+    pub(crate) fn copy(
+        &self,
+        from: wgpu::TexelCopyTextureInfo<'_>,
+        to: wgpu::TexelCopyTextureInfo<'_>,
+        extent: wgpu::Extent3d,
+    ) {
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_texture_to_texture(from, to, extent);
+        self.queue.submit([encoder.finish()]);
     }
 
     /// Whether a buffer of this many bytes can be bound.

@@ -210,7 +210,7 @@ impl Layers {
         }
         let extent = |side, layers| wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers };
         let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        let texture = gpu.texture(&wgpu::TextureDescriptor {
             label: Some(name),
             size: extent(size_px, self.layer_count + padding),
             mip_level_count: self.levels.len() as u32,
@@ -244,7 +244,7 @@ impl Layers {
             height: self.distribution.len() as u32,
             depth_or_array_layers: 1,
         };
-        let distribution = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        let distribution = gpu.texture(&wgpu::TextureDescriptor {
             label: Some("distribution"),
             size,
             mip_level_count: 1,
@@ -291,7 +291,7 @@ fn map_group(gpu: &Gpu, layouts: &Layouts, map: &wgpu::TextureView, distribution
         ..wgpu::SamplerDescriptor::default()
     });
     let table = distribution.create_view(&wgpu::TextureViewDescriptor::default());
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+    gpu.bind_group(&wgpu::BindGroupDescriptor {
         label: Some("map"),
         layout: &layouts.map,
         entries: &[

@@ -8,7 +8,6 @@ use rayon::prelude::*;
 use tam_shaders::cpu::lib::octahedral::oct_encode;
 use tam_shaders::cpu::line_edges::BLOCK_EDGES;
 use tam_shaders::types::{self, NO_FACE};
-use wgpu::util::DeviceExt;
 
 use super::placed::PlacedMesh;
 use super::surface::SurfaceBuffers;
@@ -77,7 +76,7 @@ impl GpuMesh {
         let mut bytes = 0;
         let mut buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
             bytes += contents.len() as u64;
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+            gpu.buffer_of(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
         let storage = wgpu::BufferUsages::STORAGE;
         let index_usage = storage | wgpu::BufferUsages::INDEX;

@@ -2,6 +2,7 @@
 
 mod context;
 mod layouts;
+mod made;
 mod map;
 mod mesh;
 mod placed;
@@ -11,6 +12,7 @@ mod uniforms;
 mod views;
 
 pub use context::{AdapterSummary, Gpu, GpuError, GpuOptions};
+pub use made::Made;
 pub use map::{GpuMap, MapError, MapKind};
 pub use mesh::GpuMesh;
 pub use target::{Picture, PixelFormat, Target};

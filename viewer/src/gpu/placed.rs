@@ -81,7 +81,7 @@ impl PlacedMesh {
                     resource: buffer.as_entire_binding(),
                 })
                 .collect();
-            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+            gpu.bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
         };
         let groups = PlacedGroups {
             drawn: group(
@@ -121,7 +121,7 @@ impl PlacedMesh {
 }
 
 fn computed(gpu: &Gpu, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+    gpu.buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size,
         usage: wgpu::BufferUsages::STORAGE | usage,

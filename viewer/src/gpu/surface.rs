@@ -4,7 +4,6 @@ use std::sync::{Mutex, PoisonError};
 
 use glam::DMat4;
 use tam_shaders::types::{self, StripePhases};
-use wgpu::util::DeviceExt;
 
 use super::{Gpu, GpuError, Layouts};
 use crate::params::{Follow, Mapping, Method, RenderParams};
@@ -198,7 +197,7 @@ impl StripeBuffers {
 }
 
 fn storage(gpu: &Gpu, label: &str, contents: &[u8]) -> wgpu::Buffer {
-    gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+    gpu.buffer_of(&wgpu::util::BufferInitDescriptor {
         label: Some(label),
         contents,
         usage: wgpu::BufferUsages::STORAGE,
@@ -207,7 +206,7 @@ fn storage(gpu: &Gpu, label: &str, contents: &[u8]) -> wgpu::Buffer {
 
 fn turn_table(gpu: &Gpu, turns: usize) -> wgpu::Texture {
     let rows = (turns as u32).div_ceil(TURNS_PER_ROW).max(1);
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
+    gpu.texture(&wgpu::TextureDescriptor {
         label: Some("turns"),
         size: wgpu::Extent3d { width: TURNS_PER_ROW, height: rows, depth_or_array_layers: 1 },
         mip_level_count: 1,
@@ -237,9 +236,5 @@ fn group(
         .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() })
         .collect();
     entries.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&turns) });
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("surface"),
-        layout: &layouts.surface,
-        entries: &entries,
-    })
+    gpu.bind_group(&wgpu::BindGroupDescriptor { label: Some("surface"), layout: &layouts.surface, entries: &entries })
 }

@@ -1,5 +1,7 @@
 //! What pictures are drawn into without a window, and reading them back.
 
+use std::sync::OnceLock;
+
 use super::views::{TargetFormats, TargetViews};
 use super::{Gpu, GpuError};
 
@@ -34,7 +36,7 @@ impl PixelFormat {
 
 const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// A picture being drawn: colour, depth, and the buffer through which it comes back.
+/// A picture being drawn: colour and depth.
 pub struct Target {
     /// Width and height in pixels.
     pub size: [u32; 2],
@@ -46,7 +48,8 @@ pub struct Target {
     pub(crate) multisampled: Option<wgpu::TextureView>,
     pub(crate) depth: wgpu::TextureView,
     texture: wgpu::Texture,
-    back: wgpu::Buffer,
+    /// Through which pixels come back.
+    back: OnceLock<wgpu::Buffer>,
     row_bytes: u32,
 }
 
@@ -85,24 +88,12 @@ impl Target {
                 adapter: gpu.adapter.to_string(),
             });
         }
-        let make = |label, format, samples, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: samples,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage,
-                view_formats: &[],
-            })
-        };
-        let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let pixels = format.texture_format();
-        let shown = attachment | wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::TEXTURE_BINDING;
-        let texture = make("colour", pixels, 1, shown);
-        let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let multisampled = (samples > 1).then(|| view(&make("colour samples", pixels, samples, attachment)));
+        let multisampled = (samples > 1).then(|| {
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            view(&texture(gpu, "colour samples", size, samples, pixels, usage, &[]))
+        });
+        let texture = finished(gpu, size, format);
         Ok(Self {
             size,
             samples,
@@ -110,15 +101,24 @@ impl Target {
             colour: view(&texture),
             multisampled,
             depth: formats_of(format, samples).depth_view(gpu, size),
-            back: gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("read back"),
-                size: bytes,
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            }),
             texture,
+            back: OnceLock::new(),
             row_bytes,
         })
+    }
+
+    /// A target for another picture of this kind, which shares all but the finished pixels with this one: as long as a
+    /// picture is drawn into one of them, none is into the other.
+    pub fn beside(&self, gpu: &Gpu) -> Self {
+        let texture = finished(gpu, self.size, self.format);
+        Self {
+            colour: view(&texture),
+            multisampled: self.multisampled.clone(),
+            depth: self.depth.clone(),
+            texture,
+            back: OnceLock::new(),
+            ..*self
+        }
     }
 
     /// The finished pixels, for a window to show.
@@ -126,19 +126,20 @@ impl Target {
         &self.colour
     }
 
+    /// Their texture.
+    pub(crate) fn texture(&self) -> &wgpu::Texture {
+        &self.texture
+    }
+
     /// What a frame is drawn into.
     pub fn views(&self) -> TargetViews<'_> {
-        let (colour, resolve) = match &self.multisampled {
-            Some(samples) => (samples, Some(&self.colour)),
-            None => (&self.colour, None),
-        };
-        TargetViews {
-            colour,
-            resolve,
-            depth: &self.depth,
-            size_px: self.size,
-            formats: TargetFormats { colour: self.format.texture_format(), depth: DEPTH_FORMAT, samples: self.samples },
-            clears: true,
+        let formats = formats_of(self.format, self.samples);
+        match &self.multisampled {
+            Some(samples) => {
+                let resolve = Some(&self.colour);
+                TargetViews { resolve, ..TargetViews::new(samples, &self.depth, self.size, formats) }
+            }
+            None => TargetViews::new(&self.colour, &self.depth, self.size, formats),
         }
     }
 
@@ -147,11 +148,19 @@ impl Target {
     /// # Errors
     /// [`GpuError::Lost`] or [`GpuError::Failed`].
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
+        let back = self.back.get_or_init(|| {
+            gpu.buffer(&wgpu::BufferDescriptor {
+                label: Some("read back"),
+                size: u64::from(self.row_bytes) * u64::from(self.size[1]),
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            })
+        });
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
-                buffer: &self.back,
+                buffer: back,
                 layout: wgpu::TexelCopyBufferLayout {
                     offset: 0,
                     bytes_per_row: Some(self.row_bytes),
@@ -161,16 +170,53 @@ impl Target {
             self.texture.size(),
         );
         gpu.queue.submit([encoder.finish()]);
-        self.back.map_async(wgpu::MapMode::Read, .., |_| ());
+        back.map_async(wgpu::MapMode::Read, .., |_| ());
         gpu.wait()?;
-        let mapped = self.back.get_mapped_range(..).map_err(|error| GpuError::Failed(error.to_string()))?;
+        let mapped = back.get_mapped_range(..).map_err(|error| GpuError::Failed(error.to_string()))?;
         let used = (self.size[0] * self.format.bytes()) as usize;
         let bytes: Vec<u8> =
             mapped.chunks_exact(self.row_bytes as usize).flat_map(|row| &row[..used]).copied().collect();
         drop(mapped);
-        self.back.unmap();
+        back.unmap();
         Ok(Picture { size: self.size, format: self.format, bytes })
     }
+}
+
+/// What finished pixels are kept in, also seen without the curve of sRGB where the device does that.
+fn finished(gpu: &Gpu, size: [u32; 2], format: PixelFormat) -> wgpu::Texture {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT
+        | wgpu::TextureUsages::COPY_SRC
+        | wgpu::TextureUsages::COPY_DST
+        | wgpu::TextureUsages::TEXTURE_BINDING;
+    let pixels = format.texture_format();
+    let bytes = [pixels.remove_srgb_suffix()];
+    let also: &[_] = if gpu.has_view_formats && bytes[0] != pixels { &bytes } else { &[] };
+    texture(gpu, "colour", size, 1, pixels, usage, also)
+}
+
+fn texture(
+    gpu: &Gpu,
+    label: &str,
+    size: [u32; 2],
+    samples: u32,
+    format: wgpu::TextureFormat,
+    usage: wgpu::TextureUsages,
+    view_formats: &[wgpu::TextureFormat],
+) -> wgpu::Texture {
+    gpu.texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: samples,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage,
+        view_formats,
+    })
+}
+
+fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
 fn formats_of(format: PixelFormat, samples: u32) -> TargetFormats {

@@ -127,7 +127,7 @@ impl Records {
 }
 
 fn buffer(gpu: &Gpu, label: &'static str, bytes: usize) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+    gpu.buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size: bytes as u64,
         usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
@@ -139,9 +139,5 @@ fn group(gpu: &Gpu, layouts: &Layouts, records: [&Records; 3]) -> wgpu::BindGrou
     let numbered = (0..).zip(records);
     let entries: Vec<_> =
         numbered.map(|(binding, records)| wgpu::BindGroupEntry { binding, resource: records.binding() }).collect();
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("frame"),
-        layout: &layouts.frame,
-        entries: &entries,
-    })
+    gpu.bind_group(&wgpu::BindGroupDescriptor { label: Some("frame"), layout: &layouts.frame, entries: &entries })
 }

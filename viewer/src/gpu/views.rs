@@ -22,7 +22,7 @@ pub struct TargetViews<'a> {
     pub colour: &'a wgpu::TextureView,
     /// What the samples of a pixel become one in; `None` where pixels have one.
     pub resolve: Option<&'a wgpu::TextureView>,
-    /// Of the depth, 0 near to 1 far; it holds nothing afterwards where it is cleared.
+    /// Of the depth, 0 near to 1 far; it holds nothing afterwards unless it lasts.
     pub depth: &'a wgpu::TextureView,
     /// Width and height.
     pub size_px: [u32; 2],
@@ -30,12 +30,17 @@ pub struct TargetViews<'a> {
     pub formats: TargetFormats,
     /// Whether the paper is laid first, else the frame is drawn over what is there, behind what is nearer.
     pub clears: bool,
+    /// Whether samples and depths are needed afterwards, as another frame is drawn over this one.
+    pub lasts: bool,
+    /// What is drawn of the frame: left, top, width and height within the views; `None`: all of it. The paper is laid on
+    /// the whole of them.
+    pub region_px: Option<[u32; 4]>,
 }
 
 impl TargetFormats {
     /// A depth texture for pictures of this size.
     pub fn depth_view(self, gpu: &Gpu, size_px: [u32; 2]) -> wgpu::TextureView {
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        let texture = gpu.texture(&wgpu::TextureDescriptor {
             label: Some("depth"),
             size: wgpu::Extent3d { width: size_px[0], height: size_px[1], depth_or_array_layers: 1 },
             mip_level_count: 1,
@@ -84,13 +89,23 @@ fn is_integer(kind: wgpu::TextureSampleType) -> bool {
     matches!(kind, wgpu::TextureSampleType::Sint | wgpu::TextureSampleType::Uint)
 }
 
-impl TargetViews<'_> {
+impl<'a> TargetViews<'a> {
+    /// All of a view of one sample per pixel, cleared before.
+    pub fn new(
+        colour: &'a wgpu::TextureView,
+        depth: &'a wgpu::TextureView,
+        size_px: [u32; 2],
+        formats: TargetFormats,
+    ) -> Self {
+        Self { colour, resolve: None, depth, size_px, formats, clears: true, lasts: false, region_px: None }
+    }
+
     pub(crate) fn colour_attachment(&self, scene: &Scene) -> wgpu::RenderPassColorAttachment<'_> {
         let [r, g, b] = scene.paper.map(f64::from);
         let paper = if scene.transparent { wgpu::Color::TRANSPARENT } else { wgpu::Color { r, g, b, a: 1.0 } };
         let load = if self.clears { wgpu::LoadOp::Clear(paper) } else { wgpu::LoadOp::Load };
         // Samples that were made one are needed no more, unless something else is drawn over them.
-        let spent = self.resolve.is_some() && self.clears;
+        let spent = self.resolve.is_some() && !self.lasts;
         wgpu::RenderPassColorAttachment {
             view: self.colour,
             depth_slice: None,
@@ -100,10 +115,9 @@ impl TargetViews<'_> {
     }
 
     pub(crate) fn depth_attachment(&self) -> wgpu::RenderPassDepthStencilAttachment<'_> {
-        let ops = if self.clears {
-            wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }
-        } else {
-            wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store }
+        let ops = wgpu::Operations {
+            load: if self.clears { wgpu::LoadOp::Clear(1.0) } else { wgpu::LoadOp::Load },
+            store: if self.lasts { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard },
         };
         // Frames use no stencil; what a caller keeps there stays.
         let stencil_ops = self

@@ -34,7 +34,7 @@ impl Faces {
                 immediate_size: 0,
             });
             [Form::Hardened, Form::Literal].map(|form| {
-                gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                gpu.compute_pipeline(&wgpu::ComputePipelineDescriptor {
                     label: Some(pass.name()),
                     layout: Some(&layout),
                     module: &module,

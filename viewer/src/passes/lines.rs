@@ -71,7 +71,7 @@ impl Lines {
     /// Makes the pipeline for a target, when it is first needed.
     pub(crate) fn make_pipeline(&mut self, gpu: &Gpu, formats: TargetFormats) {
         self.pipelines.entry(formats).or_insert_with(|| {
-            gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some("lines"),
                 layout: Some(&self.layout),
                 vertex: wgpu::VertexState {
@@ -163,7 +163,7 @@ fn listing(gpu: &Gpu, layouts: &Layouts) -> [wgpu::ComputePipeline; 3] {
         immediate_size: 0,
     });
     ["mark", "sum", "list"].map(|entry_point| {
-        gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        gpu.compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label,
             layout: Some(&layout),
             module: &module,

@@ -160,7 +160,7 @@ fn shading_pipeline(
     let constants: Vec<(&str, f64)> =
         variant.constants.iter().map(|(name, value)| (*name, f64::from(*value))).collect();
     let options = wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+    gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(variant.pass.name()),
         layout: Some(&layout),
         vertex: wgpu::VertexState {

@@ -112,13 +112,9 @@ fn one(panel: &mut Panel<'_>, ui: &mut Ui, card: &Card, side: f32) {
     let corner = CornerRadius::same(5);
     match panel.results.thumbnails.get(&card.key) {
         Some(thumbnail) => {
-            let version = std::sync::Arc::as_ptr(&thumbnail.0) as usize;
-            let texture = panel.textures.of(ui.ctx(), &card.key, version, &thumbnail.0);
+            let texture = panel.textures.of(thumbnail);
             let uv = Rect::from_min_max(egui::Pos2::ZERO, egui::Pos2::new(1.0, 1.0));
-            egui::Image::from_texture((texture.id(), picture.size()))
-                .uv(uv)
-                .corner_radius(corner)
-                .paint_at(ui, picture);
+            egui::Image::from_texture((texture, picture.size())).uv(uv).corner_radius(corner).paint_at(ui, picture);
         }
         None => {
             painter.rect_filled(picture, corner, visuals.faint_bg_color);

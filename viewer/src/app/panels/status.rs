@@ -37,8 +37,11 @@ pub(crate) fn status_bar(panel: &mut Panel<'_>, ui: &mut Ui) {
         match &panel.results.picture {
             Some(shown) => {
                 let adapter = panel.results.adapter.as_deref().unwrap_or("");
-                ui.label(format!("Frame {}", words::duration(shown.cost)))
-                    .on_hover_text(format!("Time of a frame on the device: {adapter}"));
+                let whole = panel.results.to_screen.unwrap_or(shown.cost);
+                ui.label(format!("Frame {}", words::duration(whole))).on_hover_text(format!(
+                    "Time from a change to the picture on the screen; {} of it on the device: {adapter}",
+                    words::duration(shown.cost)
+                ));
             }
             None => {
                 ui.weak("Frame –");

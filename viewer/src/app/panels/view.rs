@@ -1,5 +1,6 @@
 //! The mesh in its material.
 
+use egui::emath::GuiRounding as _;
 use egui::{Align2, Color32, CornerRadius, CursorIcon, FontId, Key, PointerButton, Pos2, Rect, Sense, Stroke, Ui};
 use glam::{DVec2, DVec3};
 
@@ -39,14 +40,15 @@ const BALL: f32 = 0.86;
 
 pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
     toolbar(panel, ui);
-    let rect = ui.available_rect_before_wrap();
+    let per_point = ui.pixels_per_point();
+    // Pixels of the picture are those of the screen.
+    let rect = ui.available_rect_before_wrap().round_to_pixels(per_point);
     let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
     let response = {
         let enabled = response.enabled();
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, enabled, "Picture of the mesh"));
         response
     };
-    let per_point = ui.pixels_per_point();
     panel.view.size_px = [rect.width(), rect.height()].map(|side| (side * per_point).round().max(0.0) as u32);
     picture(panel, ui, rect);
     let handled = wipe(panel, ui, rect) | light_handle(panel, ui, rect);
@@ -267,12 +269,13 @@ fn picture(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) {
     let [r, g, b] = panel.state.document.paper_colour();
     painter.rect_filled(rect, CornerRadius::ZERO, Color32::from(egui::Rgba::from_rgb(r, g, b)));
     if let Some(shown) = &panel.results.picture {
-        let texture = panel.textures.of(ui.ctx(), "view", shown.number as usize, &shown.image);
+        let texture = panel.textures.of(&shown.canvas);
         let uv = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
         // A picture of another size is shown whole until the next is there.
-        let size = egui::vec2(shown.image.size[0] as f32, shown.image.size[1] as f32);
+        let [width, height] = shown.canvas.size_px().map(|side| side as f32);
+        let size = egui::vec2(width, height);
         let scale = (rect.width() / size.x).min(rect.height() / size.y);
-        painter.image(texture.id(), Rect::from_center_size(rect.center(), size * scale), uv, Color32::WHITE);
+        painter.image(texture, Rect::from_center_size(rect.center(), size * scale), uv, Color32::WHITE);
     }
 }
 

@@ -1,9 +1,10 @@
 //! The session: written down from time to time, and looked up at the start.
 
 use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use egui::Context;
+use egui::{Context, ViewportCommand};
 use egui_tiles::Tree;
 
 use super::super::apply::{Model, tell};
@@ -27,6 +28,38 @@ pub(super) struct KeptSession {
     path: PathBuf,
     /// Held as long as the window is there.
     _lock: Lock,
+}
+
+/// All of an application that outlives its window.
+pub(super) struct Left {
+    pub model: Model,
+    pub session: Option<KeptSession>,
+}
+
+/// Where an application is left by a window whose device was lost, for the next window.
+#[derive(Clone, Default)]
+pub struct Leaving(Arc<Mutex<Option<Left>>>);
+
+impl std::fmt::Debug for Leaving {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(if self.is_some() { "Leaving(Some)" } else { "Leaving(None)" })
+    }
+}
+
+impl Leaving {
+    /// Whether an application waits for its next window.
+    pub fn is_some(&self) -> bool {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+    }
+
+    /// What was left, once.
+    pub(super) fn take(&self) -> Option<Left> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    fn put(&self, left: Left) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(left);
+    }
 }
 
 /// What a window starts with, and where it keeps its session: nowhere if another window does, or if what is there can
@@ -79,6 +112,22 @@ pub(super) fn restore(path: Option<PathBuf>) -> (State, Tree<Pane>, Option<KeptS
 }
 
 impl App {
+    /// Leaves all to the next window, as the device of this one is lost, and closes it.
+    pub(super) fn leave(&mut self, ctx: &Context) {
+        if !self.left.is_some() {
+            let cause = self.results.device_lost.clone().unwrap_or_default();
+            let text = format!("The graphics device was lost ({cause}). It was opened again; nothing is lost.");
+            tell(&mut self.model.state, Severity::Warning, text);
+            let model = Model {
+                state: self.model.state.clone(),
+                history: std::mem::take(&mut self.model.history),
+                layout: self.model.layout.clone(),
+            };
+            self.left.put(Left { model, session: self.session.take() });
+        }
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
     /// Writes the session down from time to time.
     pub(super) fn keep(&mut self, ctx: &Context, time_s: f64, held: bool) {
         if self.session.is_none() || held {

@@ -6,6 +6,7 @@ mod view;
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Instant;
 
 use tam_gen::Preset;
 use tam_gen::export::ExportOptions;
@@ -16,7 +17,7 @@ use super::measuring::Measuring;
 use super::mesh::{MeshWorker, mesh_worker};
 use super::pace::Pace;
 use super::painter::Shot;
-use super::picture::{PictureRequest, PictureWorker, Stillness, picture_worker};
+use super::picture::{PictureRequest, PictureWorker, ViewRequest, picture_worker};
 use super::results::Results;
 use super::surface::{MadeSurface, SurfaceRequest, SurfaceWorker, surface_worker};
 use super::thumbnails::{Subject, ThumbnailRequest};
@@ -24,6 +25,7 @@ use super::worker::Wake;
 use crate::Method;
 use crate::app::state::{Look, MeshSource, Motion, Notice, Severity, State};
 use crate::app::words;
+use crate::gpu::Gpu;
 pub(crate) use round::MARGIN;
 use round::Round;
 use view::{Cut, Wanted, path_of, scene};
@@ -90,22 +92,23 @@ struct Asked {
     other_map: Option<Preset>,
     mesh: Option<MeshSource>,
     surface: Option<SurfaceRequest>,
-    shot: Option<(Shot, Stillness)>,
+    /// With whether it is one of many that pass.
+    shot: Option<(Shot, bool)>,
 }
 
 impl Engine {
-    /// Starts all workers.
+    /// Starts all workers; the view is drawn on this device.
     ///
     /// # Errors
     /// Where the system gives no threads.
-    pub(crate) fn start(wake: &Wake) -> std::io::Result<Self> {
+    pub(crate) fn start(wake: &Wake, gpu: Gpu) -> std::io::Result<Self> {
         Ok(Self {
             maps: map_worker(Arc::clone(wake))?,
             other_maps: map_worker(Arc::clone(wake))?,
             checks: check_worker(Arc::clone(wake))?,
             meshes: mesh_worker(Arc::clone(wake))?,
             surfaces: surface_worker(Arc::clone(wake))?,
-            pictures: picture_worker(Arc::clone(wake))?,
+            pictures: picture_worker(Arc::clone(wake), gpu)?,
             files: file_worker(Arc::clone(wake))?,
             measuring: Measuring::start(wake)?,
             asked: Asked::default(),
@@ -321,28 +324,28 @@ impl Engine {
         }
         let motion = state.transient.motion;
         let Some(mut shot) = self.shot(state, results, demand.size_px, motion) else { return };
-        let costly = self.pace.coarser() > 1;
+        let coarser = self.pace.coarser(shot.size_px, shot.samples);
+        let bands = self.pace.bands(shot.size_px, shot.samples);
         let changed = self.asked.shot.as_ref().is_none_or(|(asked, _)| !asked.shows_same(&shot));
         // As long as nothing has moved yet, the picture that is looked at is the best there is.
         if self.asked.shot.as_ref().is_some_and(|(asked, _)| *asked == shot) {
             return;
         }
-        let asked_moving = self.asked.shot.as_ref().is_some_and(|(_, stillness)| *stillness == Stillness::Moving);
         // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
-        let moving = demand.is_moving() || (costly && changed);
-        if !moving && asked_moving && self.pictures.is_busy() {
+        let passing = coarser > 1 && (changed || demand.is_moving());
+        let after_passing = self.asked.shot.as_ref().is_some_and(|(_, passing)| *passing);
+        if !passing && after_passing && self.pictures.is_busy() {
             return;
         }
-        let stillness = if moving { Stillness::Moving } else { Stillness::Still };
-        if moving && costly {
+        if passing {
             shot.samples = 1;
-        }
-        if moving && costly {
-            shot.size_px = demand.size_px.map(|side| side.div_ceil(self.pace.coarser()));
+            shot.size_px = demand.size_px.map(|side| side.div_ceil(coarser));
         }
         if self.asked.shot.as_ref().is_none_or(|(asked, _)| *asked != shot) {
-            self.asked.shot = Some((shot.clone(), stillness));
-            self.pictures.request(PictureRequest::View(Box::new(shot), stillness));
+            self.asked.shot = Some((shot.clone(), passing));
+            let bands = if passing { 1 } else { bands };
+            let request = ViewRequest { shot, passing, bands, asked: Instant::now() };
+            self.pictures.request(PictureRequest::View(Box::new(request)));
         }
     }
 

@@ -4,11 +4,13 @@ use std::path::{Path as FilePath, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use image::RgbaImage;
 use tam_gen::export::{ExportError, ExportOptions, Format, export};
 use tam_gen::{GenerateError, Job, Preset};
 
 use super::painter::{Painter, Shot};
 use super::worker::{Wake, Worker};
+use crate::RenderError;
 use crate::maps::HatchMap;
 use crate::turntable::{FrameFile, FrameWriter, Path};
 
@@ -109,13 +111,18 @@ fn painter(kept: &mut Option<Painter>) -> Result<&mut Painter, String> {
     kept.as_mut().ok_or_else(String::new)
 }
 
+fn painted(painter: &mut Painter, shot: &Shot) -> Result<RgbaImage, String> {
+    let read = |painter: &mut Painter| Ok::<_, RenderError>(painter.paint(shot)?.canvas.read()?);
+    read(painter).map_err(|error| error.to_string())
+}
+
 fn picture(kept: &mut Option<Painter>, shot: &Shot, path: &FilePath) -> Result<FileReply, String> {
-    let painted = painter(kept)?.paint(shot).map_err(|error| error.to_string());
-    if painted.is_err() {
+    let drawn = painted(painter(kept)?, shot);
+    if drawn.is_err() {
         // Whatever is wrong with the device, the next picture starts with another.
         *kept = None;
     }
-    let image = painted?.image;
+    let image = drawn?;
     let failed = |error: &dyn std::fmt::Display| format!("cannot write {}: {error}", path.display());
     let mut png = std::io::Cursor::new(Vec::new());
     image.write_to(&mut png, image::ImageFormat::Png).map_err(|error| failed(&error))?;
@@ -147,8 +154,7 @@ fn turntable(
         }
         job.report(frame as f32 / frames as f32);
         shot.pose = Some((along, f64::from(frame) / f64::from(frames)));
-        let image = painter.paint(&shot).map_err(|error| error.to_string())?.image;
-        writer.write(image).map_err(|error| error.to_string())?;
+        writer.write(painted(painter, &shot)?).map_err(|error| error.to_string())?;
     }
     writer.finish().map_err(|error| error.to_string())?;
     Ok(FileReply::Written { text: format!("{frames} frames, {}", path.display()), place: path.to_owned() })

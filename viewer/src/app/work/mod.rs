@@ -3,6 +3,7 @@
 //! [`Engine::follow`] compares the state with what was last asked for and asks for what is missing; replies become
 //! [`Results`], which panels read. Nothing here waits.
 
+mod canvases;
 mod chart;
 mod engine;
 mod files;
@@ -20,10 +21,12 @@ mod surface;
 mod thumbnails;
 mod worker;
 
+pub use canvases::Canvas;
 pub use chart::{ChartResults, MeasuredWay};
 pub(crate) use engine::{Demand, Engine, MARGIN};
 pub use fit::{FitResults, FittedScene};
 pub(crate) use map::MadeMap;
 pub(crate) use mesh::LoadedMesh;
+pub use picture::Shown;
 pub use results::Results;
 pub(crate) use worker::Wake;

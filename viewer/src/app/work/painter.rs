@@ -1,12 +1,13 @@
-//! Draws what the state asks for, on a device of its own.
+//! Draws what the state asks for, on any device.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
 use glam::{DMat4, Vec3};
-use image::RgbaImage;
 
-use crate::gpu::{Gpu, GpuError, GpuMap, GpuMesh, GpuOptions, PixelFormat, Target};
+use super::canvases::{Canvas, Canvases};
+use crate::gpu::{Gpu, GpuError, GpuMap, GpuMesh, GpuOptions, TargetViews};
 use crate::maps::HatchMap;
 use crate::mesh::Mesh;
 use crate::surface::Surface;
@@ -16,8 +17,8 @@ use crate::{FrameTimer, Material, Object, RenderError, RenderParams, Renderer, S
 /// Bytes of meshes, and as many of maps, that are kept on the device beside what is drawn.
 const KEPT_BYTES: u64 = 512 << 20;
 
-/// Targets that are kept.
-const TARGETS: usize = 4;
+/// Side of the squares in which software adapters draw.
+const SQUARE_PX: u32 = 64;
 
 /// One picture.
 #[derive(Clone, Debug)]
@@ -110,7 +111,7 @@ pub(super) struct Painter {
     meshes: Vec<UploadedMesh>,
     /// Each with the shot that used it last.
     maps: Vec<(GpuMap, u64)>,
-    targets: Vec<Target>,
+    canvases: Canvases,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
     /// Counts what was drawn.
@@ -128,54 +129,90 @@ struct UploadedMesh {
 
 /// A finished picture.
 pub(super) struct Painted {
-    /// Straight alpha.
-    pub image: RgbaImage,
-    /// Time on the device, of the first side.
+    pub canvas: Arc<Canvas>,
+    /// Time on the device.
     pub cost: Duration,
 }
 
+/// Says while a picture is drawn band by band whether it is still wanted.
+pub(super) type IsWanted<'a> = &'a dyn Fn() -> bool;
+
 impl Painter {
-    /// Opens the adapter.
+    /// On a device of its own.
     pub(super) fn open() -> Result<Self, GpuError> {
-        let renderer = Renderer::new(Gpu::open(&GpuOptions::default())?);
-        Ok(Self {
+        Ok(Self::new(Gpu::open(&GpuOptions::default())?))
+    }
+
+    /// On this device.
+    pub(super) fn new(gpu: Gpu) -> Self {
+        let renderer = Renderer::new(gpu);
+        Self {
             timer: FrameTimer::new(&renderer.gpu),
             renderer,
             meshes: Vec::new(),
             maps: Vec::new(),
-            targets: Vec::new(),
+            canvases: Canvases::default(),
             positions: Vec::new(),
             normals: Vec::new(),
             shots: 0,
-        })
-    }
-
-    /// The adapter, in words.
-    pub(super) fn adapter(&self) -> String {
-        self.renderer.gpu.adapter.to_string()
-    }
-
-    /// Takes the device away, as a driver that is reset does.
-    #[cfg(test)]
-    pub(super) fn lose_device(&self) {
-        self.renderer.gpu.device.destroy();
+        }
     }
 
     /// Draws a picture.
     pub(super) fn paint(&mut self, shot: &Shot) -> Result<Painted, RenderError> {
-        let mut painted: Option<Painted> = None;
-        for side in &shot.sides {
-            let (image, cost) = self.paint_side(shot, side)?;
-            match &mut painted {
-                None => painted = Some(Painted { image, cost }),
-                Some(painted) => wipe(&mut painted.image, &image, shot.split),
-            }
-        }
-        painted.ok_or(RenderError::NoMap)
+        self.paint_in_bands(shot, 1, &|| true)?.ok_or(RenderError::NoMap)
     }
 
-    fn paint_side(&mut self, shot: &Shot, side: &Side) -> Result<(RgbaImage, Duration), RenderError> {
+    /// Draws a picture from the top down in so many bands, between which the device is left to others; `None`: it was not
+    /// wanted any more.
+    pub(super) fn paint_in_bands(
+        &mut self,
+        shot: &Shot,
+        bands: u32,
+        is_wanted: IsWanted<'_>,
+    ) -> Result<Option<Painted>, RenderError> {
         self.shots += 1;
+        let width = shot.size_px[0];
+        let cut = (shot.split.clamp(0.0, 1.0) * f64::from(width)).round() as u32;
+        let mut painted: Option<Painted> = None;
+        for (index, side) in shot.sides.iter().enumerate() {
+            let columns = match (shot.sides.len(), index) {
+                (1, _) => 0..width,
+                (_, 0) => 0..cut,
+                _ => cut..width,
+            };
+            let canvas = self.canvases.free(&self.renderer, shot.size_px, shot.samples)?;
+            let mut cost = Duration::ZERO;
+            let bands = bands_of(shot.size_px[1], bands);
+            for (number, rows) in bands.iter().enumerate() {
+                if !is_wanted() {
+                    return Ok(None);
+                }
+                let mut into = canvas.target().views();
+                into.region_px = Some([columns.start, rows.start, columns.end - columns.start, rows.end - rows.start]);
+                into.clears = number == 0;
+                into.lasts = number + 1 < bands.len();
+                into.resolve = into.resolve.filter(|_| !into.lasts);
+                cost += self.paint_side(shot, side, &into)?;
+            }
+            match &mut painted {
+                None => painted = Some(Painted { canvas, cost }),
+                Some(painted) => {
+                    painted.canvas.take_right(&canvas, cut);
+                    painted.cost += cost;
+                }
+            }
+        }
+        self.make_room();
+        if let Some(painted) = &painted {
+            painted.canvas.finish();
+            self.renderer.gpu.check()?;
+        }
+        Ok(painted)
+    }
+
+    /// Draws one side of a picture; the time on the device.
+    fn paint_side(&mut self, shot: &Shot, side: &Side, into: &TargetViews<'_>) -> Result<Duration, RenderError> {
         let meshes: Vec<usize> =
             side.sitters.iter().map(|sitter| self.mesh(sitter, shot.pose)).collect::<Result<_, _>>()?;
         let mut maps: Vec<Arc<HatchMap>> = Vec::new();
@@ -189,8 +226,7 @@ impl Painter {
             materials.push(sitter.materials.iter().map(numbered).collect());
         }
         let uploaded: Vec<usize> = maps.iter().map(|map| self.map(map)).collect();
-        let target = self.target(shot.size_px, shot.samples)?;
-        let Self { renderer, timer, meshes: kept, maps, targets, .. } = self;
+        let Self { renderer, timer, meshes: kept, maps, .. } = self;
         let mut scene = shot.scene.clone();
         scene.paper = side.paper;
         if let Some((path, phase)) = shot.pose {
@@ -207,12 +243,7 @@ impl Painter {
             let (world_from_mesh, ink) = (sitter.world_from_mesh, sitter.ink);
             objects.push(Object { mesh: &kept[*mesh].mesh, world_from_mesh, params, ink, materials });
         }
-        let cost = timer.time(renderer, |renderer, timer| {
-            renderer.render_objects(&scene, &objects, &maps, &targets[target], Some(timer))
-        })?;
-        let image = targets[target].read(&renderer.gpu)?.into_image();
-        self.make_room();
-        Ok((image, cost))
+        timer.time(renderer, |renderer, timer| renderer.render_into(&scene, &objects, &maps, into, Some(timer)))
     }
 
     /// Where the mesh is among those uploaded, in its pose.
@@ -268,19 +299,14 @@ impl Painter {
         make_room(&mut self.meshes, now, |kept| (kept.used, kept.mesh.bytes()));
         make_room(&mut self.maps, now, |(map, used)| (*used, map.bytes()));
     }
+}
 
-    fn target(&mut self, size_px: [u32; 2], samples: u32) -> Result<usize, RenderError> {
-        let is_it = |target: &Target| target.size == size_px && target.samples == samples;
-        if let Some(index) = self.targets.iter().position(is_it) {
-            return Ok(index);
-        }
-        let target = self.renderer.target(size_px, samples, PixelFormat::Srgb8)?;
-        if self.targets.len() >= TARGETS {
-            self.targets.remove(0);
-        }
-        self.targets.push(target);
-        Ok(self.targets.len() - 1)
-    }
+/// Rows of a picture in so many bands, or in fewer: software adapters draw in squares of [`SQUARE_PX`], and where a band
+/// ends within one some samples of lines count twice.
+fn bands_of(height: u32, bands: u32) -> Vec<Range<u32>> {
+    let squares = height.div_ceil(SQUARE_PX);
+    let row = |band: u32| ((u64::from(squares) * u64::from(band) / u64::from(bands)) as u32 * SQUARE_PX).min(height);
+    (0..bands).map(|band| row(band)..row(band + 1)).filter(|rows| !rows.is_empty()).collect()
 }
 
 /// Number of a map among others, put behind them where it is none of them.
@@ -301,22 +327,13 @@ fn make_room<T>(kept: &mut Vec<T>, now: u64, of: impl Fn(&T) -> (u64, u64)) {
     }
 }
 
-/// Replaces what lies right of the cut.
-fn wipe(left: &mut RgbaImage, right: &RgbaImage, split: f64) {
-    let width = left.width();
-    let from = (split.clamp(0.0, 1.0) * f64::from(width)).round() as u32;
-    for (x, y, pixel) in right.enumerate_pixels() {
-        if x >= from {
-            left.put_pixel(x, y, *pixel);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use image::Rgba;
-
     use super::*;
+    use crate::mesh::prepare;
+    use crate::mesh::sample::Sample;
+    use crate::params::Silhouettes;
+    use crate::{Mapping, Method};
 
     #[test]
     fn room_is_made_by_dropping_what_was_used_longest_ago_and_never_what_is_drawn() {
@@ -332,17 +349,77 @@ mod tests {
         assert_eq!(kept.len(), 2);
     }
 
+    fn shot(samples: u32) -> Shot {
+        let mesh = Arc::new(prepare(Sample::Teapot.build(3000)).expect("a mesh").mesh);
+        let mut preset = tam_gen::Preset::default();
+        (preset.map.size, preset.map.coarsest) = (64, 32);
+        let map = HatchMap::from_preset("", &preset, &tam_gen::Job::default()).expect("a map");
+        let params = RenderParams {
+            mapping: Mapping::Triplanar,
+            silhouettes: Some(Silhouettes { width_px: 3.0, ..Silhouettes::default() }),
+            ..RenderParams::default()
+        };
+        let mut scene = Scene::default();
+        let points: Vec<_> = mesh.positions.iter().map(|position| position.as_dvec3()).collect();
+        scene.camera.frame_points(&points, 1.0, 0.08);
+        let sitter = Sitter::plain(params, mesh, Arc::new(map), [0.1; 3]);
+        let side = Side { sitters: vec![sitter], paper: [0.9; 3] };
+        let (size_px, sides) = ([211, 315], vec![side]);
+        Shot { size_px, for_height: 315, samples, scene, pose: None, sides, split: 1.0, chosen: 0 }
+    }
+
     #[test]
-    fn a_wiped_picture_shows_each_side_on_its_side() {
-        let picture = |grey| RgbaImage::from_pixel(10, 2, Rgba([grey, grey, grey, 255]));
-        let mut wiped = picture(1);
-        wipe(&mut wiped, &picture(2), 0.3);
-        let greys: Vec<u8> = wiped.rows().flat_map(|row| row.map(|pixel| pixel.0[0])).collect();
-        assert_eq!(greys, [1, 1, 1, 2, 2, 2, 2, 2, 2, 2].repeat(2));
-        for (split, all) in [(-1.0, 2), (2.0, 1)] {
-            let mut wiped = picture(1);
-            wipe(&mut wiped, &picture(2), split);
-            assert!(wiped.pixels().all(|pixel| pixel.0[0] == all));
+    fn bands_are_all_rows_in_order() {
+        assert_eq!(bands_of(200, 1), [0..200]);
+        assert_eq!(bands_of(200, 3), [0..64, 64..128, 128..200]);
+        assert_eq!(bands_of(129, 9), [0..64, 64..128, 128..129]);
+        assert_eq!(bands_of(40, 4), [0..40]);
+    }
+
+    #[test]
+    fn a_picture_is_the_same_in_any_number_of_bands_and_on_devices_that_see_no_other_format() {
+        let mut gpu = Gpu::open(&GpuOptions::default()).expect("an adapter");
+        for samples in [1, 4] {
+            let shot = shot(samples);
+            let mut painter = Painter::new(gpu.clone());
+            let whole = painter.paint(&shot).expect("a picture").canvas.read().expect("a device");
+            gpu.has_view_formats = false;
+            let mut painter = Painter::new(gpu.clone());
+            for bands in [2, 3, 12, 400] {
+                let painted = painter.paint_in_bands(&shot, bands, &|| true).expect("a picture").expect("it is wanted");
+                assert!(painted.canvas.read().expect("a device") == whole, "{samples} samples in {bands} bands");
+            }
+            gpu.has_view_formats = true;
         }
+    }
+
+    #[test]
+    fn a_picture_that_is_not_wanted_any_more_is_left_after_a_band() {
+        let mut painter = Painter::open().expect("an adapter");
+        let bands = std::cell::Cell::new(0);
+        let is_wanted = || bands.replace(bands.get() + 1) < 3;
+        assert!(painter.paint_in_bands(&shot(4), 8, &is_wanted).expect("no error").is_none());
+        assert_eq!(bands.get(), 4, "of five");
+    }
+
+    #[test]
+    fn two_sides_are_one_picture_each_on_its_side() {
+        let mut painter = Painter::open().expect("an adapter");
+        let mut image = |shot: &Shot| painter.paint(shot).expect("a picture").canvas.read().expect("a device");
+        let left = shot(4);
+        let mut right = left.clone();
+        right.sides[0].sitters[0].params.method = Method::Phong;
+        let (own, other) = (image(&left), image(&right));
+        let mut both = left.clone();
+        both.sides.push(right.sides[0].clone());
+        for (split, cut) in [(-1.0, 0), (0.3, 63), (1.0, 211), (2.0, 211)] {
+            both.split = split;
+            let joined = image(&both);
+            let right_one = |(x, y, pixel): (u32, u32, &image::Rgba<u8>)| {
+                *pixel == *(if x < cut { &own } else { &other }).get_pixel(x, y)
+            };
+            assert!(joined.enumerate_pixels().all(right_one), "cut at {split}");
+        }
+        assert!(own != other);
     }
 }

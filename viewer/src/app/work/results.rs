@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
+use std::time::Duration;
 
-use egui::ColorImage;
 use tam_gen::checks::Report;
 
+use super::canvases::Canvas;
 use super::chart::ChartResults;
 use super::fit::FitResults;
 use super::map::MadeMap;
@@ -33,10 +34,14 @@ pub struct Results {
     pub picture: Option<Shown>,
     /// Why there is no newer one.
     pub picture_problem: Option<String>,
+    /// Time from asking for the picture until the window had it on the screen.
+    pub to_screen: Option<Duration>,
     /// Small pictures, by key.
-    pub thumbnails: HashMap<String, Thumbnail>,
+    pub thumbnails: HashMap<String, Arc<Canvas>>,
     /// Device and driver.
     pub adapter: Option<String>,
+    /// Why the window's device is gone; then nothing is drawn any more.
+    pub device_lost: Option<String>,
     /// What every way to draw the scene costs.
     pub chart: ChartResults,
     /// The least that the scene needs.
@@ -46,10 +51,6 @@ pub struct Results {
     /// Part done of the file that is being written.
     pub writing: Option<(String, f32)>,
 }
-
-/// A small picture.
-#[derive(Clone)]
-pub struct Thumbnail(pub Arc<ColorImage>);
 
 impl Results {
     /// The report of the map that is shown, unless that is newer.

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use image::RgbaImage;
 use tam_gen::{Job, Preset};
 
 use super::super::state::{MeshSource, colours_of};
+use super::canvases::Canvas;
 use super::painter::{Painter, Shot, Side, Sitter};
 use crate::maps::HatchMap;
 use crate::mesh::sample::Sample;
@@ -51,7 +51,7 @@ impl Thumbnails {
         &mut self,
         painter: &mut Painter,
         request: &ThumbnailRequest,
-    ) -> Result<Option<RgbaImage>, RenderError> {
+    ) -> Result<Option<Canvas>, RenderError> {
         let side = match &request.of {
             Subject::Preset(preset) => self.preset(preset),
             Subject::Mesh(source) => self.mesh(source),
@@ -72,7 +72,7 @@ impl Thumbnails {
             split: 1.0,
             chosen: 0,
         };
-        Ok(Some(painter.paint(&shot)?.image))
+        Ok(Some(painter.paint(&shot)?.canvas.copy()))
     }
 
     fn preset(&mut self, preset: &Preset) -> Option<Side> {

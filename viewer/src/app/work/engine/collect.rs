@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::super::files::FileReply;
-use super::super::picture::{PictureReply, Stillness};
-use super::super::results::{Results, Thumbnail};
+use super::super::picture::PictureReply;
+use super::super::results::Results;
 use super::super::surface::{MadeSurface, SurfaceReply};
 use super::Engine;
 use crate::app::state::{Notice, Severity};
@@ -85,19 +85,14 @@ impl Engine {
         }
         for reply in self.pictures.replies() {
             match reply {
-                PictureReply::Adapter(adapter) => results.adapter = Some(adapter),
                 PictureReply::Shown(shown) => {
-                    if shown.stillness == Stillness::Still {
-                        self.pace.picture_drawn(shown.cost);
-                    }
+                    self.pace.picture_drawn(shown.canvas.size_px(), shown.samples, shown.cost);
                     (results.picture, results.picture_problem) = (Some(shown), None);
                 }
-                PictureReply::Thumbnail { key, image } => {
-                    results.thumbnails.insert(key, Thumbnail(image));
+                PictureReply::Thumbnail { key, canvas } => {
+                    results.thumbnails.insert(key, canvas);
                 }
-                PictureReply::Reopened(cause) => {
-                    notice(Severity::Warning, format!("{cause}. It was opened again; nothing is lost."));
-                }
+                PictureReply::Lost(cause) => results.device_lost = Some(cause),
                 PictureReply::Failed(problem) => {
                     if results.picture_problem.as_ref() != Some(&problem) {
                         notice(Severity::Error, problem.clone());
