@@ -1,6 +1,7 @@
 //! Files that are there whole or not at all.
 
-use std::io::{self, Write};
+use std::fs::File;
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 /// Makes temporary files that, renamed, are as readable as any new file.
@@ -27,6 +28,43 @@ pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.write_all(bytes)?;
     file.persist(path).map_err(|error| error.error)?;
     Ok(())
+}
+
+/// Why a text was not read.
+#[derive(Debug, thiserror::Error)]
+pub enum TextError {
+    /// What the system says.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// It is no file.
+    #[error("it is a folder")]
+    Folder,
+    /// It has more bytes than such a text can have.
+    #[error("it is larger than {0} bytes")]
+    TooLarge(u64),
+    /// A byte, counted from 0, is no UTF-8.
+    #[error("byte {0} is no UTF-8")]
+    NotText(usize),
+}
+
+/// Reads a text of at most so many bytes, which is found out before more of it is read.
+///
+/// # Errors
+/// [`TextError`].
+pub fn read_text(path: &Path, most_bytes: u64) -> Result<String, TextError> {
+    let metadata = std::fs::metadata(path)?;
+    if metadata.is_dir() {
+        return Err(TextError::Folder);
+    }
+    // Pipes and devices state no length, so the reading is bounded as well.
+    let mut bytes = Vec::new();
+    if metadata.len() <= most_bytes {
+        File::open(path)?.take(most_bytes + 1).read_to_end(&mut bytes)?;
+    }
+    if metadata.len().max(bytes.len() as u64) > most_bytes {
+        return Err(TextError::TooLarge(most_bytes));
+    }
+    String::from_utf8(bytes).map_err(|error| TextError::NotText(error.utf8_error().valid_up_to()))
 }
 
 /// The folder that a path is in.

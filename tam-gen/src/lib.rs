@@ -28,6 +28,7 @@ pub mod raster;
 mod realise;
 mod rounding;
 pub mod sequence;
+pub mod srgb;
 pub mod stroke;
 mod tail;
 

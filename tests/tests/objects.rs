@@ -2,6 +2,7 @@
 //! upload, any number of parts.
 
 use glam::{DMat4, DVec3, Vec3};
+use tam_gen::srgb;
 use tam_tests::gpu::{Stage, front_camera, mappings, renderer, scene_with, surface_for};
 use tam_viewer::gpu::{Gpu, GpuOptions, PixelFormat, TargetFormats, TargetViews};
 use tam_viewer::mesh::sample::Sample;
@@ -262,7 +263,7 @@ fn a_frame_is_recorded_into_anyones_views_and_formats_that_take_none_are_named()
         let got = record(&params, wgpu::TextureFormat::Bgra8UnormSrgb, depth).expect("a frame");
         let same = |(got, wanted): &(&[u8], &[f32; 4])| {
             // Their colours come in another order; sRGB in eight bits is some thousandths of linear light apart.
-            (0..3).all(|k| (linear(got[2 - k]) - wanted[k]).abs() < 5e-3)
+            (0..3).all(|k| (srgb::linear(got[2 - k]) - wanted[k]).abs() < 5e-3)
         };
         let rows = got.chunks_exact(ROW_BYTES as usize).flat_map(|row| row[..4 * SIDE as usize].chunks_exact(4));
         let differ = rows.zip(&wanted).filter(|pair| !same(pair)).count();
@@ -276,11 +277,6 @@ fn a_frame_is_recorded_into_anyones_views_and_formats_that_take_none_are_named()
         assert!(problem.contains(named) && problem.contains(&format!("{colour:?}")), "{problem}");
     }
     assert!(record(&params, wgpu::TextureFormat::Rgba16Float, depths[0]).is_ok(), "errors do not stay");
-}
-
-fn linear(byte: u8) -> f32 {
-    let c = f32::from(byte) / 255.0;
-    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
 /// Bytes of a row of pixels of up to eight bytes, padded as copies want it.

@@ -69,26 +69,11 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
 
 fn options(params: &RenderParams) -> Options {
     Options {
-        form: match params.form {
-            Form::Hardened => cpu::Form::Hardened,
-            Form::Literal => cpu::Form::Literal,
-        },
-        mapping: match params.mapping {
-            Mapping::Uv => cpu::Mapping::Uv,
-            Mapping::Frames => cpu::Mapping::Frames,
-            Mapping::Triplanar => cpu::Mapping::Triplanar,
-            Mapping::Patches => cpu::Mapping::Patches,
-            Mapping::Lapped => cpu::Mapping::Lapped,
-        },
-        blend: match params.blend {
-            Blend::Union => cpu::Blend::Union,
-            Blend::Linear => cpu::Blend::Linear,
-        },
+        form: params.form.into(),
+        mapping: params.mapping.into(),
+        blend: params.blend.into(),
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
-        follow: match params.follow {
-            Follow::Surface => cpu::Follow::Surface,
-            Follow::Light => cpu::Follow::Light,
-        },
+        follow: params.follow.into(),
         varied: params.method == Method::Stripes && params.variety > 0.0,
         debug: params.debug.map_or(cpu::DebugView::None, |view| match view {
             DebugView::Tone => cpu::DebugView::Tone,

@@ -1,5 +1,7 @@
 //! How a scene is drawn: method, mapping, form and lines.
 
+use tam_shaders::cpu;
+
 /// A shading method. Each is a pass of its own; all share scene, mesh and map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -299,6 +301,26 @@ impl Default for RenderParams {
             wireframe: None,
         }
     }
+}
+
+/// The constants that shaders know these choices by.
+macro_rules! constants {
+    ($($choice:ident { $($name:ident),+ })+) => {$(
+        impl From<$choice> for cpu::$choice {
+            fn from(choice: $choice) -> Self {
+                match choice {
+                    $($choice::$name => Self::$name,)+
+                }
+            }
+        }
+    )+};
+}
+
+constants! {
+    Form { Hardened, Literal }
+    Mapping { Uv, Frames, Triplanar, Patches, Lapped }
+    Blend { Union, Linear }
+    Follow { Surface, Light }
 }
 
 #[cfg(test)]

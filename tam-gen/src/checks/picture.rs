@@ -3,6 +3,8 @@
 use base64::Engine;
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 
+use crate::srgb;
+
 /// Colour of an offending texel on paper and on ink, sRGB: far from greys, and apart from each other in luminance.
 const MARK: ([u8; 3], [u8; 3]) = ([255, 92, 40], [168, 0, 52]);
 
@@ -67,7 +69,7 @@ pub(super) fn png(ink: &[u8], size: u32, window: Window, texels: &[u32]) -> Stri
     for y in 0..window.side {
         for x in 0..window.side {
             let texel = ((window.top + y) % size * size + (window.left + x) % size) as usize;
-            let grey = srgb_from_linear(1.0 - f64::from(ink[texel]) / 255.0);
+            let grey = srgb::byte(1.0 - f32::from(ink[texel]) / 255.0);
             rgb.extend(match (offends[texel], ink[texel]) {
                 (false, _) => [grey; 3],
                 (true, ..128) => MARK.0,
@@ -81,10 +83,4 @@ pub(super) fn png(ink: &[u8], size: u32, window: Window, texels: &[u32]) -> Stri
     let written = encoder.write_image(&rgb, window.side, window.side, ExtendedColorType::Rgb8);
     debug_assert!(written.is_ok());
     format!("data:image/png;base64,{}", base64::engine::general_purpose::STANDARD.encode(bytes))
-}
-
-fn srgb_from_linear(luminance: f64) -> u8 {
-    let encoded =
-        if luminance <= 0.003_130_8 { 12.92 * luminance } else { 1.055 * libm::pow(luminance, 1.0 / 2.4) - 0.055 };
-    (255.0 * encoded).round() as u8
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::error::DecodeError;
 use crate::export::decode_bc4;
-use crate::export::sheet::linear_from_srgb;
+use crate::srgb;
 
 /// Largest side that is read, in texels.
 pub const SIDE_MAX: u32 = 16_384;
@@ -87,10 +87,10 @@ impl Layout {
     pub(super) fn decode(self, data: &[u8], width: u32, height: u32) -> Vec<u8> {
         match self {
             Self::Bc4 => decode_bc4(data, width as usize, height as usize),
-            Self::Plain { bytes, channels, grey, srgb } => {
+            Self::Plain { bytes, channels, grey, srgb: is_srgb } => {
                 let linear: [u8; 256] = std::array::from_fn(|i| {
                     let encoded = i as u8;
-                    if srgb { (linear_from_srgb(encoded) * 255.0).round() as u8 } else { encoded }
+                    if is_srgb { (srgb::linear(encoded) * 255.0).round() as u8 } else { encoded }
                 });
                 let read = if grey { &channels[..1] } else { &channels[..] };
                 data.chunks_exact(bytes)

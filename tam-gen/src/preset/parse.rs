@@ -1,7 +1,5 @@
 //! Presets from TOML, and to TOML.
 
-use std::fs::File;
-use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
@@ -11,6 +9,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::place::{Place, Step, Violation};
 use super::{FamilyOptions, Preset, SEED_MAX, TipOptions, structure, tip_source};
+use crate::files::{TextError, read_text};
 use crate::problems::{FileError, PROBLEMS_MAX, Problem, syntax_problem};
 
 /// Largest preset file, in bytes. A tip's picture stays a file of its own, so presets are a few kilobytes.
@@ -36,7 +35,8 @@ impl Preset {
     pub fn load(path: impl AsRef<Path>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let origin = path.display().to_string();
-        let source = read_bounded(path).map_err(|problem| FileError::new(&origin, "", vec![*problem]))?;
+        let source =
+            read_text(path, PRESET_BYTES_MAX).map_err(|error| FileError::new(&origin, "", vec![unread(error)]))?;
         read(&source, &origin, Some(path.parent().unwrap_or(Path::new(""))))
     }
 
@@ -56,32 +56,20 @@ impl Preset {
     }
 }
 
-fn read_bounded(path: &Path) -> Result<String, Box<Problem>> {
-    let failed =
-        |message: String, help: Option<&str>| Box::new(Problem::general("", message).help(help.map(str::to_owned)));
-    let unreadable = |error: std::io::Error| failed(format!("cannot read the preset: {error}"), None);
-    let metadata = std::fs::metadata(path).map_err(unreadable)?;
-    if metadata.is_dir() {
-        let help = "give the preset file itself, or the name of a preset that comes with the tool";
-        return Err(failed("cannot read the preset: it is a folder".to_owned(), Some(help)));
-    }
-    let too_large = || {
-        let help = "a preset is a few kilobytes of text: this is probably another file";
-        failed(format!("the preset is larger than {} KiB", PRESET_BYTES_MAX >> 10), Some(help))
+fn unread(error: TextError) -> Problem {
+    let (message, help) = match error {
+        TextError::Folder => (
+            "cannot read the preset: it is a folder".to_owned(),
+            Some("give the preset file itself, or the name of a preset that comes with the tool"),
+        ),
+        TextError::TooLarge(bytes) => (
+            format!("the preset is larger than {} KiB", bytes >> 10),
+            Some("a preset is a few kilobytes of text: this is probably another file"),
+        ),
+        TextError::NotText(_) => (format!("the preset is not text: {error}"), Some("save it as UTF-8")),
+        TextError::Io(_) => (format!("cannot read the preset: {error}"), None),
     };
-    if metadata.len() > PRESET_BYTES_MAX {
-        return Err(too_large());
-    }
-    // Pipes and devices state no length, so the reading is bounded as well.
-    let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(PRESET_BYTES_MAX + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
-    if bytes.len() as u64 > PRESET_BYTES_MAX {
-        return Err(too_large());
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        failed(format!("the preset is not text: byte {at} is no UTF-8"), Some("save it as UTF-8"))
-    })
+    Problem::general("", message).help(help.map(str::to_owned))
 }
 
 /// Reads a preset; pictures of tips are looked for in `folder`, if there is one.

@@ -2,6 +2,8 @@
 
 use std::sync::OnceLock;
 
+use tam_gen::srgb;
+
 use super::views::{TargetFormats, TargetViews};
 use super::{Gpu, GpuError};
 
@@ -245,7 +247,7 @@ impl Picture {
         for pixel in image.pixels_mut().filter(|pixel| !matches!(pixel.0[3], 0 | 255)) {
             let alpha = f32::from(pixel.0[3]) / 255.0;
             for channel in &mut pixel.0[..3] {
-                *channel = srgb8(linear(*channel) / alpha);
+                *channel = srgb::byte(srgb::linear(*channel) / alpha);
             }
         }
         image
@@ -257,7 +259,7 @@ impl Picture {
             PixelFormat::Srgb8 => self
                 .bytes
                 .chunks_exact(4)
-                .map(|p| [linear(p[0]), linear(p[1]), linear(p[2]), f32::from(p[3]) / 255.0])
+                .map(|p| [srgb::linear(p[0]), srgb::linear(p[1]), srgb::linear(p[2]), f32::from(p[3]) / 255.0])
                 .collect(),
             PixelFormat::Linear16 => self
                 .bytes
@@ -275,16 +277,6 @@ impl Picture {
     }
 }
 
-fn linear(byte: u8) -> f32 {
-    let c = f32::from(byte) / 255.0;
-    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-}
-
-fn srgb8(c: f32) -> u8 {
-    let encoded = if c <= 0.003_130_8 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
-    (encoded.clamp(0.0, 1.0) * 255.0).round() as u8
-}
-
 fn encode(pixel: [f32; 4]) -> [u8; 4] {
-    [srgb8(pixel[0]), srgb8(pixel[1]), srgb8(pixel[2]), (pixel[3].clamp(0.0, 1.0) * 255.0).round() as u8]
+    [srgb::byte(pixel[0]), srgb::byte(pixel[1]), srgb::byte(pixel[2]), (pixel[3].clamp(0.0, 1.0) * 255.0).round() as u8]
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tam_shaders::{Pass, compose};
+use tam_shaders::{Pass, compose, cpu};
 
 use super::{debug, face_frame, fine_tone, phong, six_way, stripes, stroke_map};
 use crate::gpu::{Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats};
@@ -38,24 +38,12 @@ impl Variant {
         self.frames = params.mapping == Mapping::Frames;
         let follows = params.mapping == Mapping::Patches && params.follow == Follow::Light;
         let this = self.with("FOLLOW", u32::from(follows));
-        this.with("FORM", form_constant(params.form)).with(
-            "MAPPING",
-            match params.mapping {
-                Mapping::Uv => 0,
-                Mapping::Frames => 1,
-                Mapping::Triplanar => 2,
-                Mapping::Patches => 3,
-                Mapping::Lapped => 4,
-            },
-        )
+        this.with("FORM", form_constant(params.form)).with("MAPPING", cpu::Mapping::from(params.mapping) as u32)
     }
 }
 
 pub(crate) fn form_constant(form: Form) -> u32 {
-    match form {
-        Form::Hardened => 0,
-        Form::Literal => 1,
-    }
+    cpu::Form::from(form) as u32
 }
 
 /// The variant that draws a mesh with these parameters.
@@ -197,8 +185,5 @@ pub(crate) fn depth_state(format: wgpu::TextureFormat, write: bool) -> wgpu::Dep
 }
 
 pub(super) fn blend_constant(blend: Blend) -> u32 {
-    match blend {
-        Blend::Union => 0,
-        Blend::Linear => 1,
-    }
+    cpu::Blend::from(blend) as u32
 }

@@ -1,9 +1,8 @@
 //! Scene files from TOML: everything that is wrong with one, by line and column.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
+use tam_gen::files::{TextError, read_text};
 use tam_gen::problems::{FileError, PROBLEMS_MAX, Problem, syntax_problem};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -43,28 +42,22 @@ impl SceneFile {
         let path = path.as_ref();
         let origin = path.display().to_string();
         let source =
-            read_bounded(path).map_err(|message| FileError::new(&origin, "", vec![Problem::general("", message)]))?;
+            read_text(path, SCENE_BYTES_MAX).map_err(|error| FileError::new(&origin, "", vec![unread(error)]))?;
         let mut file = Self::from_toml(&source, &origin)?;
         file.found_from(path);
         Ok(file)
     }
 }
 
-fn read_bounded(path: &Path) -> Result<String, String> {
-    let unreadable = |error: std::io::Error| format!("cannot read the scene: {error}");
-    let file = File::open(path).map_err(unreadable)?;
-    if file.metadata().map_err(unreadable)?.is_dir() {
-        return Err("cannot read the scene: it is a folder".to_owned());
-    }
-    let mut bytes = Vec::new();
-    file.take(SCENE_BYTES_MAX + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > SCENE_BYTES_MAX {
-        return Err(format!("the scene is larger than {} MiB: this is probably another file", SCENE_BYTES_MAX >> 20));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        format!("the scene is not text: byte {at} is no UTF-8")
-    })
+fn unread(error: TextError) -> Problem {
+    let message = match error {
+        TextError::TooLarge(bytes) => {
+            format!("the scene is larger than {} MiB: this is probably another file", bytes >> 20)
+        }
+        TextError::NotText(_) => format!("the scene is not text: {error}"),
+        TextError::Folder | TextError::Io(_) => format!("cannot read the scene: {error}"),
+    };
+    Problem::general("", message)
 }
 
 struct Reading<'s> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use image::{Rgb, RgbImage, imageops};
-use tam_gen::{Job, Preset};
+use tam_gen::{Job, Preset, srgb};
 
 use super::case::{Side, StabilityError};
 use crate::gpu::{GpuMap, GpuMesh, PixelFormat};
@@ -177,6 +177,5 @@ fn shown(pixel: [f32; 4]) -> Rgb<u8> {
     if !(-0.01..=1.01).contains(&pixel[0]) {
         return BEYOND;
     }
-    let encoded = |c: f32| if c <= 0.003_130_8 { c * 12.92 } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
-    Rgb([0, 1, 2].map(|channel| (encoded(pixel[channel]).clamp(0.0, 1.0) * 255.0).round() as u8))
+    Rgb([0, 1, 2].map(|channel| srgb::byte(pixel[channel])))
 }

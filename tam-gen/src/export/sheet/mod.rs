@@ -8,6 +8,7 @@ use image::{Rgb, RgbImage};
 
 use crate::map::{Grid, Level};
 use crate::preset::{Preset, ToneMeasure};
+use crate::srgb;
 pub use gallery::gallery;
 use layout::Layout;
 
@@ -111,22 +112,10 @@ fn colour_of_ink(paper: [u8; 3], ink: [u8; 3]) -> [Rgb<u8>; 256] {
     std::array::from_fn(|coverage| {
         let coverage = coverage as f32 / 255.0;
         Rgb(std::array::from_fn(|channel| {
-            let (paper, ink) = (linear_from_srgb(paper[channel]), linear_from_srgb(ink[channel]));
-            srgb_from_linear(paper + (ink - paper) * coverage)
+            let (paper, ink) = (srgb::linear(paper[channel]), srgb::linear(ink[channel]));
+            srgb::byte(paper + (ink - paper) * coverage)
         }))
     })
-}
-
-/// IEC 61966-2-1, from 0 ..= 255 to 0 ..= 1.
-pub(crate) fn linear_from_srgb(encoded: u8) -> f32 {
-    let x = f32::from(encoded) / 255.0;
-    if x <= 0.04045 { x / 12.92 } else { libm::powf((x + 0.055) / 1.055, 2.4) }
-}
-
-/// IEC 61966-2-1, from 0 ..= 1 to 0 ..= 255.
-fn srgb_from_linear(x: f32) -> u8 {
-    let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * libm::powf(x, 1.0 / 2.4) - 0.055 };
-    (encoded * 255.0).round().clamp(0.0, 255.0) as u8
 }
 
 /// A cell of `size` reduced to `shown` texels, both powers of two: the mean of each block.
