@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 pub(crate) struct Desk {
     pub ctx: egui::Context,
     pub app: App,
-    size: egui::Vec2,
+    pub size: egui::Vec2,
     /// Least time between two frames.
     pub frame: Duration,
     /// Longest time that anything may take.
@@ -56,16 +56,6 @@ impl Desk {
             was_held: false,
             asked,
         }
-    }
-
-    /// Makes the window larger or smaller, so that its view comes nearer to this size; whether it has that already.
-    pub(crate) fn give_view(&mut self, size_px: [u32; 2]) -> bool {
-        let shown = self.app.results().picture.as_ref().filter(|picture| picture.is_still());
-        let has = shown.map_or(size_px, |picture| picture.canvas.size_px());
-        for axis in 0..2 {
-            self.size[axis] += size_px[axis] as f32 - has[axis] as f32;
-        }
-        has == size_px
     }
 
     /// Draws frames until something has come to pass.

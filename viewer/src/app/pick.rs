@@ -34,16 +34,20 @@ pub(crate) fn pick_placed(mesh: &Mesh, world_from_mesh: DMat4, ray: &Ray) -> Opt
 
 /// The nearest point of a mesh at rest on a ray.
 pub(crate) fn pick(mesh: &Mesh, ray: &Ray) -> Option<DVec3> {
-    let (from, along) = (ray.from.as_vec3(), ray.along.as_vec3());
+    // Distances are counted from the place nearest to the mesh's origin: parallel lines of sight start far before it, and
+    // single floats have a step of their own there.
+    let start = -ray.from.dot(ray.along);
+    let middle = ray.from + ray.along * start;
+    let (from, along) = (middle.as_vec3(), ray.along.as_vec3());
     let hit = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|vertex| mesh.positions[vertex as usize]);
-        distance(from, along, a, b, c)
+        distance(from, along, a, b, c).filter(|distance| start + f64::from(*distance) > 0.0)
     };
     let nearest = mesh.triangles.par_iter().filter_map(hit).reduce_with(f32::min)?;
-    Some(ray.from + ray.along * f64::from(nearest))
+    Some(middle + ray.along * f64::from(nearest))
 }
 
-/// Where the ray meets a triangle, seen from either side (Möller and Trumbore 1997).
+/// Where the line of a ray meets a triangle, seen from either side, before its start or behind (Möller and Trumbore 1997).
 fn distance(from: Vec3, along: Vec3, a: Vec3, b: Vec3, c: Vec3) -> Option<f32> {
     let (ab, ac) = (b - a, c - a);
     let across = along.cross(ac);
@@ -56,12 +60,13 @@ fn distance(from: Vec3, along: Vec3, a: Vec3, b: Vec3, c: Vec3) -> Option<f32> {
     let turned = to_start.cross(ab);
     let v = along.dot(turned) / volume;
     let distance = ac.dot(turned) / volume;
-    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0).then_some(distance)
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0).then_some(distance)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Projection;
     use crate::mesh::prepare;
     use crate::mesh::sample::Sample;
 
@@ -82,15 +87,34 @@ mod tests {
     #[test]
     fn what_is_picked_is_under_the_mouse_and_on_the_near_side() {
         let mesh = prepare(Sample::Sphere.build(20_000)).expect("a sphere").mesh;
-        let camera = Camera::default();
-        for at in [DVec2::ZERO, DVec2::new(0.3, -0.2), DVec2::new(-0.4, 0.4)] {
-            let ray = Ray::through(&camera, at, 1.5);
-            let point = pick(&mesh, &ray).expect("the sphere is hit");
-            assert!((point.length() - 1.0).abs() < 2e-3, "{point}");
-            let placed = camera.clip_from_world([300, 200], 2.0).project_point3(point);
-            assert!(placed.truncate().distance(at) < 1e-5, "{placed}");
-            assert!(point.dot(camera.forward()) < 0.0);
+        for projection in Projection::ALL {
+            let camera = Camera { projection, roll_deg: 20.0, ..Camera::default() };
+            for at in [DVec2::ZERO, DVec2::new(0.3, -0.2), DVec2::new(-0.4, 0.4)] {
+                let ray = Ray::through(&camera, at, 1.5);
+                let point = pick(&mesh, &ray).expect("the sphere is hit");
+                assert!((point.length() - 1.0).abs() < 2e-3, "{point}");
+                let placed = camera.clip_from_world([300, 200], 2.0).project_point3(point);
+                assert!(placed.truncate().distance(at) < 1e-5, "{placed}");
+                assert!(point.dot(camera.forward()) < 0.0);
+            }
+            assert!(pick(&mesh, &Ray::through(&camera, DVec2::new(0.99, 0.99), 1.5)).is_none());
         }
-        assert!(pick(&mesh, &Ray::through(&camera, DVec2::new(0.99, 0.99), 1.5)).is_none());
+    }
+
+    #[test]
+    fn parallel_sight_picks_as_finely_as_any_and_nothing_behind_a_camera_is_picked() {
+        let mesh = prepare(Sample::Quad.build(2)).expect("a plane").mesh;
+        let camera = Camera { projection: Projection::Orthographic, ..Camera::default() };
+        for x in [-0.31, 0.07, 0.4] {
+            let ray = Ray::through(&camera, DVec2::new(x, 0.1), 1.0);
+            let point = pick(&mesh, &ray).expect("the plane is hit");
+            let [a, b, c] = mesh.triangles[0].map(|vertex| mesh.positions[vertex as usize].as_dvec3());
+            let off = (point - a).dot((b - a).cross(c - a).normalize());
+            assert!(off.abs() < 1e-6, "{off}");
+        }
+        let inside = Ray { from: DVec3::new(0.0, 0.0, 0.1), along: DVec3::Z };
+        let sphere = prepare(Sample::Sphere.build(2000)).expect("a sphere").mesh;
+        assert!(pick(&sphere, &inside).is_some_and(|point| point.z > 0.5));
+        assert!(pick(&sphere, &Ray { from: DVec3::new(0.0, 0.0, 1.5), along: DVec3::Z }).is_none());
     }
 }

@@ -1,5 +1,6 @@
 //! Opens the window.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind, set_hook, take_hook};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -51,6 +52,9 @@ pub fn run(options: WindowOptions) -> Result<(), AppError> {
         ..NativeOptions::default()
     };
     let (sent, written) = std::sync::mpsc::channel();
+    // What draws the panels, and whatever else draws, breaks down on a device that is lost: nobody needs to read of that.
+    let (told, left) = (take_hook(), options.app.left.clone());
+    set_hook(Box::new(move |panic| if left.is_device_lost() { tracing::debug!("{panic}") } else { told(panic) }));
     let mut opened = 0;
     loop {
         let (start, picture, sent) = (options.app.clone(), options.picture.clone(), sent.clone());
@@ -62,16 +66,20 @@ pub fn run(options: WindowOptions) -> Result<(), AppError> {
                 None => Box::new(app) as Box<dyn eframe::App>,
             })
         };
-        let ended = eframe::run_native("tam-viewer", native.clone(), Box::new(creator));
+        let native = native.clone();
+        let ended = catch_unwind(AssertUnwindSafe(|| eframe::run_native("tam-viewer", native, Box::new(creator))));
         opened += 1;
         match ended {
-            // Its device was lost, and all was left for the next window.
-            _ if options.app.left.is_some() && opened <= REOPENED => {}
-            Ok(()) if options.app.left.is_some() => {
+            // All was left for the next window.
+            _ if options.app.left.is_some() && opened <= REOPENED => {
+                tracing::warn!("the graphics device went away; the window is opened again");
+            }
+            _ if options.app.left.is_some() => {
                 return Err(AppError::Window("its graphics device is lost again and again".to_owned()));
             }
-            Err(error) => return Err(AppError::Window(error.to_string())),
-            Ok(()) => break,
+            Ok(Ok(())) => break,
+            Ok(Err(error)) => return Err(AppError::Window(error.to_string())),
+            Err(panic) => resume_unwind(panic),
         }
     }
     match written.try_recv() {

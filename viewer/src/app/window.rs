@@ -69,6 +69,7 @@ pub struct App {
     seen: u64,
     /// Where all is put when the device is lost.
     left: Leaving,
+    is_left: bool,
 }
 
 impl App {
@@ -77,15 +78,20 @@ impl App {
     ///
     /// # Errors
     /// Where the system gives no threads.
-    pub fn new(ctx: &Context, window: &RenderState, options: Options) -> std::io::Result<Self> {
+    pub fn new(ctx: &Context, window: &RenderState, mut options: Options) -> std::io::Result<Self> {
         style::install(ctx);
         let repaint = ctx.clone();
         let wake: Wake = Arc::new(move || repaint.request_repaint());
         let gpu = Gpu::watched(&window.device, &window.queue, &window.adapter, &GpuOptions::default());
         let results = Results { adapter: Some(gpu.adapter.to_string()), ..Results::default() };
         let engine = Engine::start(&wake, gpu.clone())?;
+        options.left.open_on(&gpu);
         let (model, session) = match options.left.take() {
-            Some(Left { model, session }) => (model, session),
+            Some(Left { model, session }) => {
+                // They were opened by the window before.
+                options.files.clear();
+                (model, session)
+            }
             None => {
                 let (mut state, layout, session) = restore(options.session);
                 look_up_saved(&mut state);
@@ -99,6 +105,7 @@ impl App {
             results,
             textures: Textures::new(window.clone()),
             left: options.left,
+            is_left: false,
             asker: Asker::new(Arc::clone(&wake)),
             watch: FileWatch::new(wake),
             view: ViewReport::default(),
@@ -159,7 +166,7 @@ impl App {
         let ctx = ui.ctx().clone();
         style::follow(&ctx, &self.model.state.settings);
         let mut commands = self.collect();
-        if self.results.device_lost.is_some() {
+        if self.gpu.is_lost() {
             self.leave(&ctx);
             return;
         }
@@ -194,7 +201,7 @@ impl App {
         let Some(shown) = self.results.picture.as_ref().filter(|shown| shown.number != self.seen) else { return };
         self.seen = shown.number;
         let drawing = Duration::from_secs_f32(frame_s.unwrap_or(0.0).max(0.0));
-        self.results.to_screen = Some(shown.asked.elapsed() + drawing);
+        self.results.to_screen = Some(shown.began.elapsed() + drawing);
     }
 
     /// What workers, dialogs and other programs have brought.

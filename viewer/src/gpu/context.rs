@@ -258,6 +258,14 @@ impl Gpu {
         }
     }
 
+    /// Whether the device went away; then nothing succeeds on it any more.
+    pub fn is_lost(&self) -> bool {
+        // A loss that is known is told when somebody asks for news.
+        let _ = self.device.poll(wgpu::PollType::Poll);
+        let failure = self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        matches!(*failure, Some(Failure::Lost(_)))
+    }
+
     /// Waits until all submitted work is done.
     ///
     /// # Errors

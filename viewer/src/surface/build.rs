@@ -1,5 +1,7 @@
 //! All that a mapping needs of a surface, made in one go.
 
+use std::sync::Arc;
+
 use glam::DMat4;
 use tam_gen::Job;
 use tam_shaders::types;
@@ -91,6 +93,16 @@ impl SurfaceOptions {
     }
 }
 
+/// Tells how far it is, and stops when the job is cancelled.
+struct Steps<'a>(&'a Job<'a>);
+
+impl Steps<'_> {
+    fn at(&self, part: f32) -> Result<(), SurfaceError> {
+        self.0.report(part);
+        if self.0.cancelled() { Err(SurfaceError::Cancelled) } else { Ok(()) }
+    }
+}
+
 /// Why there is no surface.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SurfaceError {
@@ -105,15 +117,43 @@ pub enum SurfaceError {
     Cancelled,
 }
 
+/// What all surfaces of a mesh share along which strokes run alike, whatever their tiles and lines.
+#[derive(Clone, Debug)]
+pub struct SurfaceBase {
+    /// Nodes and links.
+    pub graph: Arc<Graph>,
+    /// By node.
+    pub curvatures: Arc<Vec<Curvature>>,
+    /// Directions of the strokes.
+    pub field: Arc<Field>,
+}
+
+impl SurfaceBase {
+    /// Finds the directions of the strokes.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] if they cannot be solved for, or the job was cancelled.
+    pub fn new(mesh: &Mesh, options: &FieldOptions, job: &Job<'_>) -> Result<Self, SurfaceError> {
+        let step = Steps(job);
+        step.at(0.0)?;
+        let graph = Graph::new(mesh);
+        step.at(0.05)?;
+        let curvatures = curvatures(&graph);
+        step.at(0.1)?;
+        let field = field(&graph, mesh, &curvatures, options)?;
+        Ok(Self { graph: Arc::new(graph), curvatures: Arc::new(curvatures), field: Arc::new(field) })
+    }
+}
+
 /// A surface that strokes lie on.
 #[derive(Clone, Debug)]
 pub struct Surface {
     /// Nodes and links.
-    pub graph: Graph,
+    pub graph: Arc<Graph>,
     /// By node.
-    pub curvatures: Vec<Curvature>,
+    pub curvatures: Arc<Vec<Curvature>>,
     /// Directions of the strokes.
-    pub field: Field,
+    pub field: Arc<Field>,
     /// Overlapping patches.
     pub patches: Option<Patches>,
     /// Lapped patches.
@@ -146,26 +186,26 @@ impl Surface {
     /// # Errors
     /// As [`Surface::new`], and [`SurfaceError::Cancelled`].
     pub fn new_with(mesh: &Mesh, options: &SurfaceOptions, job: &Job<'_>) -> Result<Self, SurfaceError> {
-        let step = |part: f32| {
-            job.report(part);
-            if job.cancelled() { Err(SurfaceError::Cancelled) } else { Ok(()) }
-        };
-        step(0.0)?;
-        let graph = Graph::new(mesh);
-        step(0.05)?;
-        let curvatures = curvatures(&graph);
-        step(0.1)?;
-        let field = field(&graph, mesh, &curvatures, &options.field)?;
-        step(0.3)?;
+        Self::on(&SurfaceBase::new(mesh, &options.field, job)?, mesh, options, job)
+    }
+
+    /// The same, where the directions of the strokes are known: those of the mesh, by the field that the options ask for.
+    ///
+    /// # Errors
+    /// As [`Surface::new_with`].
+    pub fn on(base: &SurfaceBase, mesh: &Mesh, options: &SurfaceOptions, job: &Job<'_>) -> Result<Self, SurfaceError> {
+        let step = Steps(job);
+        let SurfaceBase { graph, curvatures, field } = base.clone();
+        step.at(0.3)?;
         let mut patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
-        step(0.6)?;
+        step.at(0.6)?;
         let lapped = options.lapped.map(|options| lapped(&graph, &field, &options)).transpose()?;
-        step(0.8)?;
+        step.at(0.8)?;
         let stripes = options.stripes.map(|options| stripes(&graph, &field, &options)).transpose()?;
         if let (Some(patches), Some(stripes)) = (&mut patches, &stripes) {
             patches.rows = rows(&graph, &mesh.neighbours, patches, stripes);
         }
-        step(1.0)?;
+        step.at(1.0)?;
         Ok(Self { graph, curvatures, field, patches, lapped, stripes })
     }
 }

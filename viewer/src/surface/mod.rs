@@ -15,7 +15,7 @@ mod solve;
 pub mod store;
 pub mod stripes;
 
-pub use build::{Surface, SurfaceError, SurfaceNeeds, SurfaceOptions};
+pub use build::{Surface, SurfaceBase, SurfaceError, SurfaceNeeds, SurfaceOptions};
 pub use curvature::{Curvature, curvatures};
 pub use field::{Field, FieldOptions, FieldSource, field};
 pub use graph::Graph;

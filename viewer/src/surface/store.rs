@@ -5,6 +5,7 @@
 
 use std::io::Write;
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::DVec2;
 use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, PLACE_RANGE, unpack_tens};
@@ -123,8 +124,8 @@ pub fn parse(bytes: &[u8], mesh: &Mesh, options: &SurfaceOptions) -> Result<Opti
     if !numbers || of_nodes != [graph.len(); 2] || asked != [patches.is_some(), lapped.is_some(), stripes.is_some()] {
         return Err(StoreError::Damaged);
     }
-    let curvatures = curvatures(&graph);
-    Ok(Some(Surface { graph, curvatures, field: stored.field, patches, lapped, stripes }))
+    let (curvatures, graph, field) = (Arc::new(curvatures(&graph)), Arc::new(graph), Arc::new(stored.field));
+    Ok(Some(Surface { graph, curvatures, field, patches, lapped, stripes }))
 }
 
 /// Writes a surface to a file, at once or not at all.
@@ -146,7 +147,7 @@ pub fn write(path: &Path, mesh: &Mesh, options: &SurfaceOptions, surface: &Surfa
 pub fn to_bytes(mesh: &Mesh, options: &SurfaceOptions, surface: &Surface) -> Result<Vec<u8>, StoreError> {
     let words = |lines: &[StripePhases]| bytemuck::cast_slice::<_, u32>(lines).to_vec();
     let stored = Stored {
-        field: surface.field.clone(),
+        field: Field::clone(&surface.field),
         patches: surface.patches.as_ref().map(StoredPatches::new),
         lapped: surface.lapped.as_ref().map(StoredPatches::new),
         stripes: surface.stripes.as_ref().map(|stripes| [words(&stripes.along), words(&stripes.across)]),
@@ -273,7 +274,7 @@ mod tests {
         let mesh = mesh(200);
         let surface = Surface::new(&mesh, &all()).expect("a field");
         let wrong: [fn(&mut Surface); 4] = [
-            |surface| surface.field.angles_rad[3] = f64::NAN,
+            |surface| Arc::make_mut(&mut surface.field).angles_rad[3] = f64::NAN,
             |surface| surface.patches.as_mut().expect("patches").seeds[0].node = 1_000,
             |surface| surface.lapped.as_mut().expect("patches").entries[0].seed = 1_000,
             |surface| surface.patches.as_mut().expect("patches").tiles_per_unit = f64::INFINITY,

@@ -47,6 +47,9 @@ pub(super) fn dragged(camera: &Camera, drag: Drag, by: Vec2, height: f32, pivot:
     let (dx, dy) = (f64::from(by.x), f64::from(by.y));
     match drag {
         Drag::Turn => {
+            // Where the picture is turned, so are the ways about the upright axis and over the top.
+            let (sin, cos) = camera.roll_deg.to_radians().sin_cos();
+            let (dx, dy) = (dx * cos - dy * sin, dx * sin + dy * cos);
             moved.azimuth_deg = (camera.azimuth_deg - dx * DEGREES_PER_POINT).rem_euclid(360.0);
             moved.elevation_deg = (camera.elevation_deg + dy * DEGREES_PER_POINT).clamp(-90.0, 90.0);
             if let Some(pivot) = pivot {
@@ -174,6 +177,22 @@ mod tests {
             assert!((depth(&moved) - depth(&camera)).abs() < 1e-9 && moved.distance == camera.distance);
             let about_target = dragged(&camera, Drag::Turn, egui::vec2(80.0, -40.0), 400.0, None);
             assert_eq!((about_target.target, about_target.azimuth_deg), (camera.target, moved.azimuth_deg));
+        }
+    }
+
+    #[test]
+    fn what_is_near_follows_the_mouse_however_the_picture_is_turned() {
+        for roll_deg in [0.0, 35.0, 90.0, 180.0, -120.0] {
+            let camera = Camera { elevation_deg: 0.0, roll_deg, ..Camera::default() };
+            let near = camera.target - camera.forward();
+            for by in [egui::vec2(12.0, 0.0), egui::vec2(0.0, 12.0), egui::vec2(-7.0, 9.0)] {
+                let moved = dragged(&camera, Drag::Turn, by, 400.0, None);
+                let went = seen(&moved, near) - seen(&camera, near);
+                // Up on the screen is down for the mouse; the picture is wider than high.
+                let went = DVec2::new(went.x * 1.5, went.y).normalize();
+                let wanted = DVec2::new(f64::from(by.x), -f64::from(by.y)).normalize();
+                assert!(went.dot(wanted) > 0.99, "{roll_deg}: {went} {wanted}");
+            }
         }
     }
 

@@ -39,7 +39,7 @@ pub(crate) fn status_bar(panel: &mut Panel<'_>, ui: &mut Ui) {
                 let adapter = panel.results.adapter.as_deref().unwrap_or("");
                 let whole = panel.results.to_screen.unwrap_or(shown.cost);
                 ui.label(format!("Frame {}", words::duration(whole))).on_hover_text(format!(
-                    "Time from a change to the picture on the screen; {} of it on the device: {adapter}",
+                    "Time from beginning a picture to having it on the screen; {} of it on the device: {adapter}",
                     words::duration(shown.cost)
                 ));
             }

@@ -1,5 +1,7 @@
 //! The mesh in its material.
 
+mod toolbar;
+
 use egui::emath::GuiRounding as _;
 use egui::{Align2, Color32, CornerRadius, CursorIcon, FontId, Key, PointerButton, Pos2, Rect, Sense, Stroke, Ui};
 use glam::{DVec2, DVec3};
@@ -7,13 +9,12 @@ use glam::{DVec2, DVec3};
 use super::Panel;
 use super::number::named;
 use super::orbit::{self, Drag};
-use crate::app::actions::{debug_label, mapping_label, method_label};
+use crate::Camera;
 use crate::app::command::Command;
 use crate::app::pick::{Ray, pick_placed};
-use crate::app::state::{Compare, Look, Motion, ObjectRef, PresetSource, Tool};
-use crate::params::DebugView;
+use crate::app::state::{Compare, Look, Motion, ObjectRef, Tool};
 use crate::surface::Guide;
-use crate::{Camera, Mapping, Method};
+use toolbar::{short_method, toolbar};
 
 /// What the view found out about itself.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,10 +70,13 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
             ui.input(|input| f64::from(input.smooth_scroll_delta().y) + 250.0 * f64::from(input.zoom_delta() - 1.0));
         if scroll != 0.0 {
             let camera = panel.state.camera;
-            let pointer = response.hover_pos().unwrap_or(rect.center());
-            let ray = ray_at(&camera, rect, pointer);
-            let under = picked(panel, &ray).map_or_else(|| orbit::on_target_plane(&camera, &ray), |(_, point)| point);
-            panel.ask(Command::SetCamera(orbit::zoomed(&camera, scroll, Some(under))));
+            // A camera that goes round comes nearer to what it goes around.
+            let pointer = response.hover_pos().filter(|_| !goes_round(panel));
+            let under = pointer.map(|pointer| {
+                let ray = ray_at(&camera, rect, pointer);
+                picked(panel, &ray).map_or_else(|| orbit::on_target_plane(&camera, &ray), |(_, point)| point)
+            });
+            panel.ask(Command::SetCamera(orbit::zoomed(&camera, scroll, under)));
         }
         if panel.state.transient.tool == Tool::Guide {
             ui.set_cursor_icon(CursorIcon::Crosshair);
@@ -88,180 +92,6 @@ pub(super) fn show(panel: &mut Panel<'_>, ui: &mut Ui) {
             panel.ask(Command::SavePicture(None));
         }
     });
-}
-
-/// Methods and mappings as switches, and what else is at hand.
-fn toolbar(panel: &mut Panel<'_>, ui: &mut Ui) {
-    let look = &panel.state.document.look;
-    let params = look.params;
-    let mut asked = Vec::new();
-    let mut set = |change: &dyn Fn(&mut crate::RenderParams)| {
-        let mut look: Look = look.clone();
-        change(&mut look.params);
-        asked.push(Command::SetLook(Box::new(look)));
-    };
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
-        for (number, method) in Method::ALL.into_iter().enumerate() {
-            let button = ui.selectable_label(params.method == method, short_method(method));
-            if button.on_hover_text(format!("{} ({})", method_label(method), number + 1)).clicked() {
-                set(&|params| params.method = method);
-            }
-        }
-        ui.separator();
-        ui.add_enabled_ui(params.method.takes_mapping(), |ui| {
-            let combo = egui::ComboBox::from_id_salt("mapping").selected_text(mapping_label(params.mapping));
-            let shown = combo.width(128.0).show_ui(ui, |ui| {
-                for (number, mapping) in Mapping::ALL.into_iter().enumerate() {
-                    let text = format!("{}   Alt+{}", mapping_label(mapping), number + 1);
-                    if ui.selectable_label(params.mapping == mapping, text).clicked() {
-                        set(&|params| params.mapping = mapping);
-                    }
-                }
-            });
-            named(shown.response, "Mapping").on_hover_text("How strokes lie on the surface");
-        });
-        let debug = params.debug.map_or("Inspect", debug_label);
-        let combo = egui::ComboBox::from_id_salt("inspect").selected_text(debug).width(96.0);
-        let shown = combo.show_ui(ui, |ui| {
-            if ui.selectable_label(params.debug.is_none(), "The picture").clicked() {
-                set(&|params| params.debug = None);
-            }
-            for view in DebugView::ALL {
-                let entry = ui.selectable_label(params.debug == Some(view), debug_label(view));
-                if entry.on_hover_text(view.description()).clicked() {
-                    set(&|params| params.debug = Some(view));
-                }
-            }
-        });
-        named(shown.response, "Inspect").on_hover_text("Show what the shader decides instead of strokes");
-    });
-    panel.commands.append(&mut asked);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
-        compare_controls(panel, ui);
-        ui.separator();
-        play_controls(panel, ui);
-        ui.separator();
-        let guiding = panel.state.transient.tool == Tool::Guide;
-        let button = ui.selectable_label(guiding, "Guides");
-        if button.on_hover_text("Draw strokes on the mesh that the others follow (G)").clicked() {
-            panel.ask(Command::SetTool(if guiding { Tool::Navigate } else { Tool::Guide }));
-        }
-        let wired = params.wireframe.is_some();
-        if ui.selectable_label(wired, "Wires").on_hover_text("Show the triangles' edges (W)").clicked() {
-            let mut look = panel.state.document.look.clone();
-            look.params.wireframe = (!wired).then_some(1.0);
-            panel.ask(Command::SetLook(Box::new(look)));
-        }
-        if ui.button("Whole").on_hover_text("Show the whole mesh (F)").clicked() {
-            panel.ask(Command::FrameMesh);
-        }
-    });
-    ui.add_space(2.0);
-}
-
-fn short_method(method: Method) -> &'static str {
-    match method {
-        Method::Phong => "Phong",
-        Method::SixWay => "Six-way",
-        Method::FaceFrame => "Face frames",
-        Method::StrokeMap => "Stroke map",
-        Method::Halftone => "Halftone",
-        Method::FineTone => "Fine tones",
-        Method::Stripes => "Stripes",
-    }
-}
-
-fn compare_controls(panel: &mut Panel<'_>, ui: &mut Ui) {
-    let compare = panel.state.document.compare.clone();
-    let button = ui.selectable_label(compare.is_some(), "A | B");
-    if button.on_hover_text("Wipe between two methods or presets (C)").clicked() {
-        let started = Compare { look: panel.state.document.look.clone(), preset: None, split: 0.5 };
-        let mut started = Box::new(started);
-        started.look.params.method =
-            if started.look.params.method == Method::Stripes { Method::SixWay } else { Method::Stripes };
-        panel.ask(Command::SetCompare(compare.is_none().then_some(started)));
-    }
-    let Some(mut compare) = compare else { return };
-    let before = compare.clone();
-    let combo = egui::ComboBox::from_id_salt("other method").selected_text(short_method(compare.look.params.method));
-    let shown = combo.width(86.0).show_ui(ui, |ui| {
-        for method in Method::ALL {
-            ui.selectable_value(&mut compare.look.params.method, method, method_label(method));
-        }
-    });
-    named(shown.response, "Method of B");
-    if compare.look.params.method.takes_mapping() {
-        let combo =
-            egui::ComboBox::from_id_salt("other mapping").selected_text(mapping_label(compare.look.params.mapping));
-        let shown = combo.width(96.0).show_ui(ui, |ui| {
-            for mapping in Mapping::ALL {
-                ui.selectable_value(&mut compare.look.params.mapping, mapping, mapping_label(mapping));
-            }
-        });
-        named(shown.response, "Mapping of B");
-    }
-    let name = compare.preset.as_ref().map_or("same preset", |(name, _)| name.as_str()).to_owned();
-    let shown = egui::ComboBox::from_id_salt("other preset").selected_text(name).width(96.0).show_ui(ui, |ui| {
-        if ui.selectable_label(compare.preset.is_none(), "same preset").clicked() {
-            compare.preset = None;
-        }
-        for (name, _) in tam_gen::Preset::embedded() {
-            let chosen = compare.preset.as_ref().is_some_and(|(other, _)| other == name);
-            if ui.selectable_label(chosen, *name).clicked()
-                && let Some(Ok(preset)) = tam_gen::Preset::named(name)
-            {
-                compare.preset = Some(((*name).to_owned(), preset));
-            }
-        }
-        for path in &panel.state.settings.recent_presets {
-            let name = PresetSource::File(path.clone()).name();
-            let chosen = compare.preset.as_ref().is_some_and(|(other, _)| *other == name);
-            if ui.selectable_label(chosen, &name).on_hover_text(path.display().to_string()).clicked() {
-                match tam_gen::Preset::load(path) {
-                    Ok(preset) => compare.preset = Some((name, preset)),
-                    // What is wrong with it is told where it is opened.
-                    Err(_) => panel.commands.push(Command::OpenPreset(Some(path.clone()))),
-                }
-            }
-        }
-    });
-    named(shown.response, "Preset of B");
-    if compare != before {
-        panel.ask(Command::SetCompare(Some(Box::new(compare))));
-    }
-}
-
-fn play_controls(panel: &mut Panel<'_>, ui: &mut Ui) {
-    use crate::mesh::deform::Deform;
-    let playing = panel.state.transient.motion;
-    let button = ui.selectable_label(playing.is_some(), if playing.is_some() { "⏸" } else { "▶" });
-    if named(button, "Play").on_hover_text("Play or stop (Space)").clicked() {
-        panel.ask(Command::Play(if playing.is_some() { None } else { Some(Motion::Orbit) }));
-    }
-    let label = |motion: Motion| match motion {
-        Motion::Orbit => "Camera".to_owned(),
-        Motion::Light => "Light".to_owned(),
-        Motion::Animation => "Animation".to_owned(),
-        Motion::Deform(deform) => {
-            let name = deform.name();
-            name[..1].to_uppercase() + &name[1..]
-        }
-    };
-    let shown = egui::ComboBox::from_id_salt("motion")
-        .selected_text(playing.map_or_else(|| "Turntable".to_owned(), label))
-        .width(84.0)
-        .show_ui(ui, |ui| {
-            let animated = panel.results.mesh.as_ref().is_some_and(|mesh| mesh.mesh.animation.is_some());
-            let motions = [Motion::Orbit, Motion::Light].into_iter().chain(Deform::ALL.map(Motion::Deform));
-            for motion in motions.chain(animated.then_some(Motion::Animation)) {
-                if ui.selectable_label(playing == Some(motion), label(motion)).clicked() {
-                    panel.commands.push(Command::Play(Some(motion)));
-                }
-            }
-        });
-    named(shown.response, "What plays");
 }
 
 fn picture(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) {
@@ -333,7 +163,7 @@ fn light_handle(panel: &mut Panel<'_>, ui: &mut Ui, rect: Rect) -> bool {
         return false;
     }
     let Some(light) = panel.state.document.lights.lights.first().copied() else { return false };
-    let camera = panel.state.camera;
+    let camera = sight(panel);
     let towards = orbit::towards(&light, &camera);
     let [right, up] = camera.axes();
     let radius = rect.width().min(rect.height()) * 0.5 * BALL;
@@ -376,7 +206,7 @@ fn set_first_light(panel: &mut Panel<'_>, light: crate::Light) {
 fn drags(panel: &mut Panel<'_>, ui: &Ui, response: &egui::Response, rect: Rect) {
     if response.drag_started() {
         let pressed = ui.input(|input| input.pointer.press_origin());
-        let ray = pressed.map(|pressed| ray_at(&panel.state.camera, rect, pressed));
+        let ray = pressed.map(|pressed| ray_at(&sight(panel), rect, pressed));
         panel.view.pivot = ray.and_then(|ray| picked(panel, &ray)).map(|(_, point)| point);
     }
     let by = response.drag_delta();
@@ -389,7 +219,7 @@ fn drags(panel: &mut Panel<'_>, ui: &Ui, response: &egui::Response, rect: Rect) 
     match orbit::meaning(panel.state.settings.navigation, button, held) {
         Some(Drag::Light) => {
             if let Some(light) = panel.state.document.lights.lights.first() {
-                set_first_light(panel, orbit::light_dragged(light, &panel.state.camera, by));
+                set_first_light(panel, orbit::light_dragged(light, &sight(panel), by));
             }
         }
         Some(drag) => {
@@ -398,6 +228,17 @@ fn drags(panel: &mut Panel<'_>, ui: &Ui, response: &egui::Response, rect: Rect) 
         }
         None => {}
     }
+}
+
+/// Whether the camera goes round by itself.
+fn goes_round(panel: &Panel<'_>) -> bool {
+    panel.state.transient.motion == Some(Motion::Orbit)
+}
+
+/// The camera of what is seen: it goes round where that plays.
+fn sight(panel: &Panel<'_>) -> Camera {
+    let shown = panel.results.picture.as_ref().filter(|_| goes_round(panel));
+    shown.map_or(panel.state.camera, |shown| shown.camera)
 }
 
 /// The line of sight through a place of the view.
@@ -424,7 +265,7 @@ fn choose_under_pointer(panel: &mut Panel<'_>, rect: Rect, response: &egui::Resp
     if panel.state.document.object_count() == 1 {
         return;
     }
-    let ray = response.interact_pointer_pos().map(|pointer| ray_at(&panel.state.camera, rect, pointer));
+    let ray = response.interact_pointer_pos().map(|pointer| ray_at(&sight(panel), rect, pointer));
     if let Some((index, _)) = ray.and_then(|ray| picked(panel, &ray)) {
         panel.ask(Command::Choose(index));
     }
@@ -439,9 +280,10 @@ fn draw_guide(panel: &mut Panel<'_>, ui: &Ui, rect: Rect, response: &egui::Respo
         let Some(pointer) = response.interact_pointer_pos() else { return };
         // Guides are kept where the mesh is, not where it stands.
         let world = panel.state.document.standing.world_from_mesh();
-        let ray = ray_at(&panel.state.camera, rect, pointer);
+        let camera = sight(panel);
+        let ray = ray_at(&camera, rect, pointer);
         let point = pick_placed(&mesh.mesh, world, &ray).map(|(point, _)| world.inverse().transform_point3(point));
-        let step = panel.state.camera.pixel_at_1(rect.height() as u32) * panel.state.camera.distance * 6.0;
+        let step = camera.pixel_at_1(rect.height() as u32) * camera.distance * 6.0;
         if let Some(point) =
             point.filter(|point| panel.view.guide.last().is_none_or(|last| last.distance(*point) > step))
         {
@@ -462,7 +304,7 @@ fn guides(panel: &Panel<'_>, ui: &Ui, rect: Rect) {
     if panel.state.transient.tool != Tool::Guide && panel.view.guide.is_empty() {
         return;
     }
-    let camera: &Camera = &panel.state.camera;
+    let camera = sight(panel);
     let clip = camera.clip_from_world([rect.width().max(1.0) as u32, rect.height().max(1.0) as u32], 4.0);
     let world = panel.state.document.standing.world_from_mesh();
     let place = |point: &DVec3| {

@@ -1,7 +1,7 @@
 //! The session: written down from time to time, and looked up at the start.
 
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use egui::{Context, ViewportCommand};
@@ -12,6 +12,7 @@ use super::super::layout::{Pane, default_layout};
 use super::super::session::{self, Found, Lock, Owner, Session};
 use super::super::state::{MeshSource, PresetSource, Severity, State};
 use super::App;
+use crate::gpu::Gpu;
 
 /// Time between writes of the session, in seconds.
 const SESSION_S: f64 = 2.0;
@@ -38,7 +39,23 @@ pub(super) struct Left {
 
 /// Where an application is left by a window whose device was lost, for the next window.
 #[derive(Clone, Default)]
-pub struct Leaving(Arc<Mutex<Option<Left>>>);
+pub struct Leaving(Arc<Mutex<Place>>);
+
+#[derive(Default)]
+struct Place {
+    left: Option<Left>,
+    /// Of the window that is open.
+    gpu: Option<Gpu>,
+}
+
+/// Whatever breaks a window whose device is lost, the application in it is not.
+impl Drop for App {
+    fn drop(&mut self) {
+        if self.gpu.is_lost() {
+            self.put_aside();
+        }
+    }
+}
 
 impl std::fmt::Debug for Leaving {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -49,16 +66,30 @@ impl std::fmt::Debug for Leaving {
 impl Leaving {
     /// Whether an application waits for its next window.
     pub fn is_some(&self) -> bool {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+        self.place().left.is_some()
+    }
+
+    /// Whether the device of the window that is open went away.
+    pub(crate) fn is_device_lost(&self) -> bool {
+        self.place().gpu.as_ref().is_some_and(Gpu::is_lost)
+    }
+
+    /// A window is opened on this device.
+    pub(super) fn open_on(&self, gpu: &Gpu) {
+        self.place().gpu = Some(gpu.clone());
     }
 
     /// What was left, once.
     pub(super) fn take(&self) -> Option<Left> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+        self.place().left.take()
     }
 
     fn put(&self, left: Left) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(left);
+        self.place().left = Some(left);
+    }
+
+    fn place(&self) -> MutexGuard<'_, Place> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -114,9 +145,14 @@ pub(super) fn restore(path: Option<PathBuf>) -> (State, Tree<Pane>, Option<KeptS
 impl App {
     /// Leaves all to the next window, as the device of this one is lost, and closes it.
     pub(super) fn leave(&mut self, ctx: &Context) {
-        if !self.left.is_some() {
-            let cause = self.results.device_lost.clone().unwrap_or_default();
-            let text = format!("The graphics device was lost ({cause}). It was opened again; nothing is lost.");
+        self.put_aside();
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
+    fn put_aside(&mut self) {
+        if !std::mem::replace(&mut self.is_left, true) {
+            let cause = self.results.device_lost.as_ref().map_or_else(String::new, |cause| format!(" ({cause})"));
+            let text = format!("The graphics device went away{cause}. It was opened again; nothing is lost.");
             tell(&mut self.model.state, Severity::Warning, text);
             let model = Model {
                 state: self.model.state.clone(),
@@ -125,7 +161,6 @@ impl App {
             };
             self.left.put(Left { model, session: self.session.take() });
         }
-        ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
     /// Writes the session down from time to time.

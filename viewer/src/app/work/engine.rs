@@ -91,6 +91,8 @@ struct Asked {
     map: Option<MapRequest>,
     other_map: Option<Preset>,
     mesh: Option<MeshSource>,
+    /// The mesh that is being loaded, until it is collected.
+    loading: Option<MeshSource>,
     surface: Option<SurfaceRequest>,
     /// With whether it is one of many that pass.
     shot: Option<(Shot, bool)>,
@@ -244,7 +246,10 @@ impl Engine {
             self.asked.mesh = Some(document.mesh.clone());
             match results.meshes.iter().find(|mesh| mesh.source == document.mesh) {
                 Some(mesh) => results.mesh = Some(Arc::clone(mesh)),
-                None => self.meshes.request(document.mesh.clone()),
+                None => {
+                    self.asked.loading = Some(document.mesh.clone());
+                    self.meshes.request(document.mesh.clone());
+                }
             }
         }
         let is_wanted = |source: &MeshSource| document.objects().any(|object| object.mesh == source);
@@ -262,7 +267,9 @@ impl Engine {
         if self.meshes.is_busy() {
             return;
         }
-        if let Some(source) = missing {
+        // What has just been loaded may wait to be collected.
+        if let Some(source) = missing.filter(|source| self.asked.loading.as_ref() != Some(source)) {
+            self.asked.loading = Some(source.clone());
             self.meshes.request(source.clone());
         }
     }
@@ -334,7 +341,8 @@ impl Engine {
         // A change is shown at once, coarsely where pictures are costly, and then as it is to be looked at.
         let passing = coarser > 1 && (changed || demand.is_moving());
         let after_passing = self.asked.shot.as_ref().is_some_and(|(_, passing)| *passing);
-        if !passing && after_passing && self.pictures.is_busy() {
+        // What passes is drawn once, whatever is found out about its cost meanwhile.
+        if after_passing && if passing { !changed } else { self.pictures.is_busy() } {
             return;
         }
         if passing {

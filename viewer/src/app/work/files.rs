@@ -9,7 +9,7 @@ use tam_gen::export::{ExportError, ExportOptions, Format, export};
 use tam_gen::{GenerateError, Job, Preset};
 
 use super::painter::{Painter, Shot};
-use super::worker::{Wake, Worker};
+use super::worker::{Manner, Wake, Worker};
 use crate::RenderError;
 use crate::maps::HatchMap;
 use crate::turntable::{FrameFile, FrameWriter, Path};
@@ -59,7 +59,7 @@ pub(super) fn file_worker(wake: Wake) -> std::io::Result<FileWorker> {
         reply(written.unwrap_or_else(FileReply::Failed));
     };
     let failed = |words: String| FileReply::Failed(format!("it could not be written: {words}"));
-    Worker::start("files", Duration::MAX, wake, || None, work, failed)
+    Worker::start("files", Manner { patience: Duration::MAX, leaves_behind: false }, wake, || None, work, failed)
 }
 
 fn map(

@@ -8,7 +8,7 @@ use tam_gen::{GenerateError, Job};
 use super::stand::{Stand, is_lost};
 use super::subject::{Subject, bare};
 use super::surface::{MadeSurface, SurfaceRequest, make_surface};
-use super::worker::{Wake, Worker};
+use super::worker::{Manner, Wake, Worker};
 use crate::app::state::FitSettings;
 use crate::app::words;
 use crate::fit::{Bench, Fit, FitError, FitOptions, fit};
@@ -85,7 +85,14 @@ impl FitDesk {
             });
         };
         let failed = |words: String| Some(Err(format!("the scene could not be fitted: {words}")));
-        let worker = Worker::start("fit", Duration::ZERO, Arc::clone(wake), || None, work, failed)?;
+        let worker = Worker::start(
+            "fit",
+            Manner { patience: Duration::ZERO, leaves_behind: false },
+            Arc::clone(wake),
+            || None,
+            work,
+            failed,
+        )?;
         Ok(Self { worker })
     }
 

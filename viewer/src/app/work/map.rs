@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use tam_gen::checks::{Report, check_map};
 use tam_gen::{GenerateError, Generator, Job, Map, Preset};
 
-use super::worker::{Wake, Worker};
+use super::worker::{Manner, Wake, Worker};
 use crate::maps::HatchMap;
 
 /// A map younger than this is finished even if a newer one is wanted.
@@ -54,7 +54,7 @@ pub(super) fn map_worker(wake: Wake) -> std::io::Result<MapWorker> {
         Err(error) => reply(Err(error.to_string())),
     };
     let failed = |words: String| Err(format!("the map could not be made: {words}"));
-    Worker::start("maps", PATIENCE, wake, Generator::new, work, failed)
+    Worker::start("maps", Manner { patience: PATIENCE, leaves_behind: false }, wake, Generator::new, work, failed)
 }
 
 fn made(generator: &mut Generator, request: &MapRequest, job: &Job<'_>) -> Result<MadeMap, GenerateError> {
@@ -98,5 +98,5 @@ pub(super) fn check_worker(wake: Wake) -> std::io::Result<CheckWorker> {
         reply((Some(map), Ok(Arc::new(report))));
     };
     let failed = |words: String| (None, Err(format!("the map could not be checked: {words}")));
-    Worker::start("checks", Duration::MAX, wake, || (), work, failed)
+    Worker::start("checks", Manner { patience: Duration::MAX, leaves_behind: false }, wake, || (), work, failed)
 }

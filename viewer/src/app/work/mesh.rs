@@ -6,7 +6,7 @@ use std::time::Duration;
 use tam_gen::Job;
 
 use super::super::state::MeshSource;
-use super::worker::{Wake, Worker};
+use super::worker::{Manner, Wake, Worker};
 use crate::mesh::{Mesh, MeshReport, load, prepare};
 
 /// A mesh that was loaded.
@@ -47,5 +47,5 @@ pub(super) fn mesh_worker(wake: Wake) -> std::io::Result<MeshWorker> {
         source: MeshSource::default(),
         result: Err(format!("the mesh could not be loaded: {words}")),
     };
-    Worker::start("meshes", Duration::ZERO, wake, || (), work, failed)
+    Worker::start("meshes", Manner { patience: Duration::ZERO, leaves_behind: true }, wake, || (), work, failed)
 }

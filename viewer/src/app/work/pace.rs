@@ -4,11 +4,17 @@ use std::time::Duration;
 
 /// Where a picture to be looked at is expected to cost more than this on the device, in milliseconds, those that only
 /// pass are drawn smaller, up to so many times.
-const COSTLY_MS: f64 = 40.0;
-const COARSEST: u32 = 5;
+const COSTLY_MS: f64 = 42.0;
+const COARSEST: u32 = 8;
+
+/// Sides that pictures keep however costly they are.
+const LEAST_PX: u32 = 240;
+
+/// How many times as many pixels a picture has to have as another, for what both took to tell of mesh and pixels.
+const UNLIKE: f64 = 1.5;
 
 /// How far off that costs have to be before the size of what passes changes.
-const SLACK: f64 = 1.2;
+const SLACK: f64 = 1.15;
 
 /// How long a band of a picture may take, in milliseconds, that the window waits for, and how many there are at most.
 const BAND_MS: f64 = 50.0;
@@ -55,7 +61,7 @@ impl Pace {
     pub(super) fn picture_drawn(&mut self, size_px: [u32; 2], samples: u32, took: Duration) {
         let (pixels, ms) = (pixels(size_px, samples), took.as_secs_f64() * 1e3);
         let [last, before] = &mut self.pictures;
-        if last.is_some_and(|(of, _)| of != pixels) {
+        if last.is_some_and(|(of, _)| of.max(pixels) > UNLIKE * of.min(pixels)) {
             *before = *last;
         }
         *last = Some((pixels, ms));
@@ -78,7 +84,8 @@ impl Pace {
             1 => expected.ms(pixels(size_px, samples)),
             _ => expected.ms(pixels(size_px.map(|side| side.div_ceil(coarser)), 1)),
         };
-        let least = |most_ms: f64| (1..COARSEST).find(|coarser| ms(*coarser) <= most_ms).unwrap_or(COARSEST);
+        let coarsest = (size_px[0].min(size_px[1]) / LEAST_PX).clamp(1, COARSEST);
+        let least = |most_ms: f64| (1..coarsest).find(|coarser| ms(*coarser) <= most_ms).unwrap_or(coarsest);
         // What is about right stays as it is: pictures that change their size flicker.
         self.coarser = self.coarser.clamp(least(COSTLY_MS * SLACK), least(COSTLY_MS / SLACK));
         self.coarser
@@ -138,7 +145,9 @@ mod tests {
     fn costly_pictures_are_coarser_while_they_pass() {
         assert_eq!((Pace::default().coarser(SIZE_PX, 4), Pace::default().bands(SIZE_PX, 4)), (1, FIRST_BANDS));
         let coarser = [1, 33, 70, 200, 5000].map(|ms| after(&[(SIZE_PX, 4, ms)]).coarser(SIZE_PX, 4));
-        assert_eq!(coarser, [1, 1, 2, 2, COARSEST]);
+        assert_eq!(coarser, [1, 1, 2, 2, SIZE_PX[1] / LEAST_PX]);
+        assert_eq!(after(&[(SIZE_PX, 4, 50_000)]).coarser([8000, 6000], 4), COARSEST);
+        assert_eq!(after(&[(SIZE_PX, 4, 50_000)]).coarser([300, 100], 4), 1);
         let bands = [1, 33, 70, 200, 5000].map(|ms| after(&[(SIZE_PX, 4, ms)]).bands(SIZE_PX, 4));
         assert_eq!(bands, [1, 1, 2, 4, BANDS]);
     }
@@ -158,7 +167,7 @@ mod tests {
     fn pictures_that_pass_keep_their_size_as_long_as_it_is_about_right() {
         let mut pace = after(&[(SIZE_PX, 4, 75)]);
         assert_eq!(pace.coarser(SIZE_PX, 4), 2);
-        for (ms, expected) in [(45, 2), (35, 2), (25, 1), (38, 1), (46, 1), (52, 2)] {
+        for (ms, expected) in [(45, 2), (38, 2), (25, 1), (38, 1), (46, 1), (52, 2)] {
             pace.picture_drawn(SIZE_PX, 4, Duration::from_millis(ms));
             assert_eq!(pace.coarser(SIZE_PX, 4), expected, "at {ms} ms");
         }

@@ -8,11 +8,11 @@ use tam_gen::Job;
 use super::canvases::Canvas;
 use super::painter::{Painted, Painter, Shot};
 use super::thumbnails::{ThumbnailRequest, Thumbnails};
-use super::worker::{Wake, Worker};
-use crate::RenderError;
+use super::worker::{Manner, Wake, Worker};
 use crate::gpu::{Gpu, GpuError};
 use crate::maps::HatchMap;
 use crate::surface::Surface;
+use crate::{Camera, RenderError};
 
 /// A picture that was drawn, on the window's device.
 pub struct Shown {
@@ -22,8 +22,12 @@ pub struct Shown {
     pub cost: Duration,
     /// When it was asked for.
     pub asked: Instant,
+    /// When it began to be drawn: what was drawn before is finished first.
+    pub began: Instant,
     /// Counts pictures.
     pub number: u64,
+    /// As it was drawn, going round where that plays.
+    pub camera: Camera,
     /// The map that it was drawn with, on the side of the document.
     pub map: Option<Arc<HatchMap>>,
     /// The surface by which strokes lay on that side; none where the mapping takes none, or it is still to be made.
@@ -78,7 +82,14 @@ struct Studio {
 /// Starts the worker that draws on the window's device.
 pub(super) fn picture_worker(wake: Wake, gpu: Gpu) -> std::io::Result<PictureWorker> {
     let failed = |words: String| PictureReply::Failed(format!("the picture could not be drawn: {words}"));
-    Worker::start("pictures", Duration::ZERO, wake, move || Studio::new(gpu), Studio::serve, failed)
+    Worker::start(
+        "pictures",
+        Manner { patience: Duration::ZERO, leaves_behind: false },
+        wake,
+        move || Studio::new(gpu.clone()),
+        Studio::serve,
+        failed,
+    )
 }
 
 impl Studio {
@@ -103,6 +114,7 @@ impl Studio {
         match request {
             PictureRequest::View(request) => {
                 let ViewRequest { shot, passing, bands, asked } = *request;
+                let began = Instant::now();
                 let is_wanted = || passing || !job.cancelled();
                 let Some(painted) = self.painter.paint_in_bands(&shot, bands, &is_wanted)? else { return Ok(()) };
                 let Painted { canvas, cost } = painted;
@@ -112,7 +124,9 @@ impl Studio {
                     canvas,
                     cost,
                     asked,
+                    began,
                     number: self.number,
+                    camera: shot.posed().camera,
                     map: chosen.and_then(|sitter| sitter.maps.first().cloned()),
                     surface: chosen.and_then(|sitter| sitter.surface.clone()),
                     passing,

@@ -34,7 +34,7 @@ pub struct Results {
     pub picture: Option<Shown>,
     /// Why there is no newer one.
     pub picture_problem: Option<String>,
-    /// Time from asking for the picture until the window had it on the screen.
+    /// Time from beginning to draw the picture until the window had it on the screen.
     pub to_screen: Option<Duration>,
     /// Small pictures, by key.
     pub thumbnails: HashMap<String, Arc<Canvas>>,

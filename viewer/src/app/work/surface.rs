@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use tam_gen::Job;
 
-use super::worker::{Wake, Worker};
+use super::worker::{Manner, Wake, Worker};
 use crate::mesh::Mesh;
-use crate::surface::{Surface, SurfaceError, SurfaceOptions};
+use crate::surface::{FieldOptions, Surface, SurfaceBase, SurfaceError, SurfaceOptions};
 
 /// A surface is for one mesh and one set of options.
 #[derive(Clone, Debug)]
@@ -40,10 +40,9 @@ pub(super) type SurfaceWorker = Worker<SurfaceRequest, SurfaceReply>;
 
 /// Starts the worker that makes surfaces.
 pub(super) fn surface_worker(wake: Wake) -> std::io::Result<SurfaceWorker> {
-    let work = |(): &mut (), request: SurfaceRequest, job: &Job<'_>, reply: &dyn Fn(SurfaceReply)| match make_surface(
-        request.clone(),
-        job,
-    ) {
+    let work = |bases: &mut Bases, request: SurfaceRequest, job: &Job<'_>, reply: &dyn Fn(SurfaceReply)| match bases
+        .surface(request.clone(), job)
+    {
         Ok(made) => reply(SurfaceReply::Made(Box::new(made))),
         Err(SurfaceError::Cancelled) => {}
         Err(error) => {
@@ -52,12 +51,108 @@ pub(super) fn surface_worker(wake: Wake) -> std::io::Result<SurfaceWorker> {
         }
     };
     let failed = |words: String| SurfaceReply::Failed(None, format!("strokes cannot follow this mesh: {words}"));
-    Worker::start("surfaces", Duration::ZERO, wake, || (), work, failed)
+    Worker::start(
+        "surfaces",
+        Manner { patience: Duration::ZERO, leaves_behind: true },
+        wake,
+        Bases::default,
+        work,
+        failed,
+    )
 }
 
-/// Makes a surface.
+/// Makes a surface, of which nothing is known yet.
 pub(super) fn make_surface(request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
-    let mesh = request.options.cut(&request.mesh).map_or_else(|| Arc::clone(&request.mesh), Arc::new);
-    let surface = Arc::new(Surface::new_with(&mesh, &request.options, job)?);
-    Ok(MadeSurface { request, mesh, surface })
+    Bases::default().surface(request, job)
+}
+
+/// What surfaces were made on, so that another one of the same mesh, of other tiles or lines, needs not begin anew.
+#[derive(Default)]
+pub(super) struct Bases {
+    /// The last one was used last.
+    kept: Vec<Base>,
+}
+
+struct Base {
+    /// As it was loaded.
+    of: Arc<Mesh>,
+    /// As it was cut.
+    mesh: Arc<Mesh>,
+    field: FieldOptions,
+    base: SurfaceBase,
+}
+
+/// Vertices of meshes whose bases are kept, all together.
+const KEPT_VERTICES: usize = 2_000_000;
+
+impl Bases {
+    /// Makes a surface.
+    pub(super) fn surface(&mut self, request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
+        let SurfaceRequest { mesh: of, options } = &request;
+        let mut mesh = options.cut(of).map_or_else(|| Arc::clone(of), Arc::new);
+        // What is cut at the same places is the same mesh.
+        let same = |kept: &&Base| Arc::ptr_eq(&kept.of, of) && kept.mesh.midpoints == mesh.midpoints;
+        if let Some(kept) = self.kept.iter().find(same) {
+            mesh = Arc::clone(&kept.mesh);
+        }
+        let is_it = |kept: &Base| Arc::ptr_eq(&kept.mesh, &mesh) && kept.field == options.field;
+        let kept = match self.kept.iter().position(is_it) {
+            Some(index) => self.kept.remove(index),
+            None => Base {
+                of: Arc::clone(of),
+                mesh: Arc::clone(&mesh),
+                field: options.field.clone(),
+                base: SurfaceBase::new(&mesh, &options.field, job)?,
+            },
+        };
+        let base = kept.base.clone();
+        self.kept.push(kept);
+        self.make_room();
+        let surface = Arc::new(Surface::on(&base, &mesh, options, job)?);
+        Ok(MadeSurface { request, mesh, surface })
+    }
+
+    /// Drops what was used longest ago, and what nobody else has any more.
+    fn make_room(&mut self) {
+        let last = self.kept.pop();
+        self.kept.retain(|kept| Arc::strong_count(&kept.of) > 1);
+        self.kept.extend(last);
+        let mut vertices: usize = self.kept.iter().map(|kept| kept.mesh.positions.len()).sum();
+        while vertices > KEPT_VERTICES && self.kept.len() > 1 {
+            vertices -= self.kept.remove(0).mesh.positions.len();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::prepare;
+    use crate::mesh::sample::Sample;
+    use crate::surface::{FieldSource, PatchOptions};
+
+    #[test]
+    fn other_tiles_keep_mesh_graph_and_field_and_give_the_same_patches_as_alone() {
+        let mesh = Arc::new(prepare(Sample::Sphere.build(20_000)).expect("a mesh").mesh);
+        let mut bases = Bases::default();
+        let request = |tiles_per_unit, source| {
+            let patches = Some(PatchOptions { tiles_per_unit, ..PatchOptions::default() });
+            let field = FieldOptions { source, ..FieldOptions::default() };
+            let options = SurfaceOptions { field, patches, ..SurfaceOptions::default() };
+            SurfaceRequest { mesh: Arc::clone(&mesh), options }
+        };
+        let mut made =
+            |tiles, source| bases.surface(request(tiles, source), &Job::default()).expect("a surface of the ball");
+        let first = made(0.8, FieldSource::Curvature);
+        let other = made(0.9, FieldSource::Curvature);
+        assert!(Arc::ptr_eq(&first.mesh, &other.mesh) && Arc::ptr_eq(&first.surface.field, &other.surface.field));
+        assert!(Arc::ptr_eq(&first.surface.graph, &other.surface.graph));
+        let alone = Bases::default().surface(other.request.clone(), &Job::default()).expect("the same again");
+        let entries = |made: &MadeSurface| made.surface.patches.as_ref().map(|patches| patches.entries.clone());
+        assert!(entries(&other) == entries(&alone) && entries(&other) != entries(&first));
+        let turned = made(0.8, FieldSource::LowerCurvature);
+        assert!(Arc::ptr_eq(&first.mesh, &turned.mesh) && !Arc::ptr_eq(&first.surface.field, &turned.surface.field));
+        // As fine as ten times as many tiles need it, it is another mesh.
+        assert!(!Arc::ptr_eq(&first.mesh, &made(10.0, FieldSource::Curvature).mesh));
+    }
 }

@@ -20,8 +20,27 @@ pub(crate) struct Worker<Request, Reply> {
     shared: Arc<Shared<Request>>,
     patience: Duration,
     replies: Receiver<Reply>,
-    thread: JoinHandle<()>,
+    /// Starts another thread in place of one that was left behind; `None`: none ever is.
+    restart: Option<Restart>,
+    thread: Mutex<JoinHandle<()>>,
 }
+
+type Restart = Box<dyn Fn() -> std::io::Result<JoinHandle<()>> + Send + Sync>;
+
+/// How a worker treats what it works on when there is something newer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Manner {
+    /// What began no longer ago is finished; the rest is cancelled.
+    pub patience: Duration,
+    /// Whether what does not stop soon after it was cancelled is left behind, to end where nobody waits for it.
+    pub leaves_behind: bool,
+}
+
+/// How soon what was cancelled has to stop where it can be left behind.
+const SOON: Duration = Duration::from_millis(80);
+
+/// How many threads may be left behind and not have ended: each holds what it works on.
+const LEFT_BEHIND: usize = 2;
 
 /// How long a worker that is dropped is waited for: drivers break down where a process ends while a thread draws.
 const LEAVE: Duration = Duration::from_secs(2);
@@ -36,9 +55,26 @@ struct Shared<Request> {
 struct Inbox<Request> {
     newest: Option<Request>,
     queue: VecDeque<Request>,
-    /// Of what is being worked on: stops it, and when it began.
-    working: Option<(Arc<AtomicBool>, Instant)>,
+    working: Option<Working>,
     closed: bool,
+    /// Counts threads: those before the last were left behind.
+    thread: u64,
+    /// Threads that were left behind and have not ended.
+    left_behind: usize,
+}
+
+/// What is being worked on.
+struct Working {
+    cancel: Arc<AtomicBool>,
+    began: Instant,
+    cancelled: Option<Instant>,
+}
+
+impl Working {
+    fn cancel(&mut self) {
+        self.cancel.store(true, Ordering::Relaxed);
+        self.cancelled.get_or_insert_with(Instant::now);
+    }
 }
 
 impl<Request> Shared<Request> {
@@ -48,55 +84,78 @@ impl<Request> Shared<Request> {
 }
 
 impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
-    /// Starts the thread; work younger than `patience` is finished when there is a newer request. `work` makes replies of requests, any number of them; `failed` makes one of a request whose work
-    /// panicked.
+    /// Starts the thread. `work` makes replies of requests, any number of them; `failed` makes one of a request whose work
+    /// panicked, after which it goes on with a new `state`, as nobody knows what became of the old one.
     ///
     /// # Errors
     /// Where the system gives no thread.
     pub(crate) fn start<State: 'static>(
-        name: &str,
-        patience: Duration,
+        name: &'static str,
+        manner: Manner,
         wake: Wake,
-        state: impl FnOnce() -> State + Send + 'static,
-        work: impl Fn(&mut State, Request, &Job<'_>, &dyn Fn(Reply)) + Send + 'static,
-        failed: impl Fn(String) -> Reply + Send + 'static,
+        state: impl Fn() -> State + Send + Sync + 'static,
+        work: impl Fn(&mut State, Request, &Job<'_>, &dyn Fn(Reply)) + Send + Sync + 'static,
+        failed: impl Fn(String) -> Reply + Send + Sync + 'static,
     ) -> std::io::Result<Self> {
-        let inbox = Inbox { newest: None, queue: VecDeque::new(), working: None, closed: false };
+        let inbox =
+            Inbox { newest: None, queue: VecDeque::new(), working: None, closed: false, thread: 0, left_behind: 0 };
         let shared = Arc::new(Shared { inbox: Mutex::new(inbox), filled: Condvar::new(), done: AtomicU32::new(0) });
         let (sender, replies) = channel();
-        let of_thread = Arc::clone(&shared);
-        let thread = std::thread::Builder::new().name(name.to_owned()).spawn(move || {
-            let mut state = state();
-            while let Some((request, cancel)) = of_thread.next() {
-                let reply = |reply: Reply| send(&sender, &wake, reply);
-                let made = catch_unwind(AssertUnwindSafe(|| {
-                    let progress = |part: f32| {
-                        let thousandths = (part * 1000.0) as u32;
-                        if of_thread.done.swap(thousandths, Ordering::Relaxed) != thousandths {
-                            wake();
+        let of_threads = Arc::clone(&shared);
+        let doing = Arc::new((state, work, failed));
+        let spawn = move || {
+            let (shared, wake, sender, doing) =
+                (Arc::clone(&of_threads), Arc::clone(&wake), sender.clone(), Arc::clone(&doing));
+            let own = shared.lock().thread;
+            std::thread::Builder::new().name(name.to_owned()).spawn(move || {
+                let (state, work, failed) = &*doing;
+                let mut held = state();
+                while let Some((request, cancel)) = shared.next(own) {
+                    // Of what was left behind nobody wants to know.
+                    let tell = |reply: Reply| {
+                        if shared.lock().thread == own {
+                            send(&sender, &wake, reply);
                         }
                     };
-                    let job = Job { progress: Some(&progress), cancel: Some(&cancel), measure: None };
-                    work(&mut state, request, &job, &reply);
-                }));
-                if let Err(panic) = made {
-                    reply(failed(words_of(panic.as_ref())));
+                    let made = catch_unwind(AssertUnwindSafe(|| {
+                        let progress = |part: f32| {
+                            let thousandths = (part * 1000.0) as u32;
+                            let is_own = !cancel.load(Ordering::Relaxed);
+                            if is_own && shared.done.swap(thousandths, Ordering::Relaxed) != thousandths {
+                                wake();
+                            }
+                        };
+                        let job = Job { progress: Some(&progress), cancel: Some(&cancel), measure: None };
+                        work(&mut held, request, &job, &tell);
+                    }));
+                    if let Err(panic) = made {
+                        held = state();
+                        tell(failed(words_of(panic.as_ref())));
+                    }
+                    let mut inbox = shared.lock();
+                    if inbox.thread == own {
+                        inbox.working = None;
+                    } else {
+                        inbox.left_behind -= 1;
+                    }
+                    drop(inbox);
+                    wake();
                 }
-                of_thread.lock().working = None;
-                wake();
-            }
-        })?;
-        Ok(Self { shared, patience, replies, thread })
+            })
+        };
+        let thread = Mutex::new(spawn()?);
+        let Manner { patience, leaves_behind } = manner;
+        Ok(Self { shared, patience, replies, restart: leaves_behind.then(|| Box::new(spawn) as Restart), thread })
     }
 
     /// Asks for this next; what is being worked on and what waits is dropped.
     pub(crate) fn request(&self, request: Request) {
         let mut inbox = self.shared.lock();
         inbox.newest = Some(request);
-        if let Some((cancel, began)) = &inbox.working
-            && began.elapsed() >= self.patience
+        if let Some(working) = &mut inbox.working
+            && working.began.elapsed() >= self.patience
         {
-            cancel.store(true, Ordering::Relaxed);
+            working.cancel();
         }
         self.shared.filled.notify_one();
     }
@@ -112,13 +171,32 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
         let mut inbox = self.shared.lock();
         inbox.newest = None;
         inbox.queue.clear();
-        if let Some((cancel, _)) = &inbox.working {
-            cancel.store(true, Ordering::Relaxed);
+        if let Some(working) = &mut inbox.working {
+            working.cancel();
+        }
+    }
+
+    /// Leaves behind what was cancelled and does not stop, where that may be: another thread goes on.
+    fn leave_behind(&self) {
+        let Some(restart) = &self.restart else { return };
+        let mut inbox = self.shared.lock();
+        let cancelled = inbox.working.as_ref().and_then(|working| working.cancelled);
+        if cancelled.is_none_or(|at| at.elapsed() < SOON) || inbox.left_behind >= LEFT_BEHIND {
+            return;
+        }
+        inbox.thread += 1;
+        inbox.left_behind += 1;
+        inbox.working = None;
+        drop(inbox);
+        match restart() {
+            Ok(thread) => *self.thread.lock().unwrap_or_else(PoisonError::into_inner) = thread,
+            Err(error) => tracing::warn!("no thread is left for more work: {error}"),
         }
     }
 
     /// Whether there is anything left to do.
     pub(crate) fn is_busy(&self) -> bool {
+        self.leave_behind();
         let inbox = self.shared.lock();
         inbox.working.is_some() || inbox.newest.is_some() || !inbox.queue.is_empty()
     }
@@ -135,17 +213,17 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
 }
 
 impl<Request> Shared<Request> {
-    /// Waits for the next request; `None` when the worker is dropped.
-    fn next(&self) -> Option<(Request, Arc<AtomicBool>)> {
+    /// Waits for the next request; `None` when the worker is dropped, or this thread was left behind.
+    fn next(&self, own: u64) -> Option<(Request, Arc<AtomicBool>)> {
         let mut inbox = self.lock();
         loop {
-            if inbox.closed {
+            if inbox.closed || inbox.thread != own {
                 return None;
             }
             let newest = inbox.newest.take();
             if let Some(request) = newest.or_else(|| inbox.queue.pop_front()) {
                 let cancel = Arc::new(AtomicBool::new(false));
-                inbox.working = Some((Arc::clone(&cancel), Instant::now()));
+                inbox.working = Some(Working { cancel: Arc::clone(&cancel), began: Instant::now(), cancelled: None });
                 self.done.store(0, Ordering::Relaxed);
                 return Some((request, cancel));
             }
@@ -158,7 +236,8 @@ impl<Request, Reply> Drop for Worker<Request, Reply> {
     fn drop(&mut self) {
         self.close();
         let start = Instant::now();
-        while !self.thread.is_finished() && start.elapsed() < LEAVE {
+        let thread = self.thread.get_mut().unwrap_or_else(PoisonError::into_inner);
+        while !thread.is_finished() && start.elapsed() < LEAVE {
             std::thread::sleep(Duration::from_millis(1));
         }
     }
@@ -168,8 +247,8 @@ impl<Request, Reply> Worker<Request, Reply> {
     fn close(&self) {
         let mut inbox = self.shared.lock();
         inbox.closed = true;
-        if let Some((cancel, _)) = &inbox.working {
-            cancel.store(true, Ordering::Relaxed);
+        if let Some(working) = &mut inbox.working {
+            working.cancel();
         }
         self.shared.filled.notify_one();
     }
@@ -193,6 +272,8 @@ mod tests {
 
     use super::*;
 
+    const STOPS: Manner = Manner { patience: Duration::ZERO, leaves_behind: false };
+
     fn quiet() -> Wake {
         Arc::new(|| ())
     }
@@ -209,7 +290,7 @@ mod tests {
     fn the_newest_request_wins_and_older_ones_are_cancelled() {
         let worker: Worker<u32, u32> = Worker::start(
             "test",
-            Duration::ZERO,
+            STOPS,
             quiet(),
             || (),
             |(), request, job, reply| {
@@ -234,11 +315,14 @@ mod tests {
     fn a_panic_becomes_a_reply_and_the_thread_goes_on() {
         let worker: Worker<bool, Result<(), String>> = Worker::start(
             "test",
-            Duration::ZERO,
+            STOPS,
             quiet(),
-            || (),
-            |(), fails: bool, _, reply| {
+            || 0,
+            |half_done: &mut u32, fails: bool, _, reply| {
+                assert_eq!(*half_done, 0, "what failed is not gone on with");
+                *half_done += 1;
                 assert!(!fails, "as asked for");
+                *half_done -= 1;
                 reply(Ok(()));
             },
             Err,
@@ -263,8 +347,7 @@ mod tests {
             std::thread::sleep(Duration::from_millis(30));
             of_thread.store(true, Ordering::Relaxed);
         };
-        let worker: Worker<(), ()> =
-            Worker::start("test", Duration::ZERO, quiet(), || (), work, |_| ()).expect("a thread");
+        let worker: Worker<(), ()> = Worker::start("test", STOPS, quiet(), || (), work, |_| ()).expect("a thread");
         worker.request(());
         wait_until(|| worker.shared.lock().working.is_some());
         drop(worker);
@@ -275,7 +358,7 @@ mod tests {
     fn progress_is_that_of_the_work_at_hand() {
         let worker: Worker<(), ()> = Worker::start(
             "test",
-            Duration::ZERO,
+            STOPS,
             quiet(),
             || (),
             |(), (), job, _| {
@@ -292,5 +375,38 @@ mod tests {
         wait_until(|| worker.progress() == Some(0.5));
         worker.cancel();
         wait_until(|| worker.progress().is_none());
+    }
+
+    #[test]
+    fn what_does_not_stop_is_left_behind_and_nobody_hears_of_it() {
+        let release = Arc::new(AtomicBool::new(false));
+        let of_threads = Arc::clone(&release);
+        let manner = Manner { leaves_behind: true, ..STOPS };
+        let work = move |(): &mut (), request: u32, _: &Job<'_>, reply: &dyn Fn(u32)| {
+            while request < 10 && !of_threads.load(Ordering::Relaxed) {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            reply(request);
+        };
+        let worker: Worker<u32, u32> =
+            Worker::start("test", manner, quiet(), || (), work, |_| u32::MAX).expect("a thread");
+        for stuck in [1, 2] {
+            worker.request(stuck);
+            wait_until(|| worker.shared.lock().working.is_some());
+            let start = Instant::now();
+            worker.request(10 + stuck);
+            wait_until(|| !worker.is_busy());
+            assert!(start.elapsed() >= SOON, "it is given the time to stop");
+            assert_eq!(worker.replies().collect::<Vec<_>>(), [10 + stuck]);
+        }
+        // No more than two at a time: the third is waited for.
+        worker.request(3);
+        wait_until(|| worker.shared.lock().working.is_some());
+        worker.request(13);
+        std::thread::sleep(2 * SOON);
+        assert!(worker.is_busy());
+        release.store(true, Ordering::Relaxed);
+        wait_until(|| !worker.is_busy() && worker.shared.lock().left_behind == 0);
+        assert_eq!(worker.replies().collect::<Vec<_>>(), [3, 13]);
     }
 }

@@ -85,7 +85,7 @@ fn surface(mesh: &Mesh) -> Surface {
 
 fn built(mesh: &Mesh) -> (Graph, Patches) {
     let surface = surface(mesh);
-    (surface.graph, surface.patches.expect("patches were asked for"))
+    (Graph::clone(&surface.graph), surface.patches.expect("patches were asked for"))
 }
 
 #[test]

@@ -8,7 +8,7 @@ use tam_gen::Job;
 use super::super::stand::{Stand, is_lost};
 use super::super::subject::Subject;
 use super::super::surface::{MadeSurface, SurfaceRequest, make_surface};
-use super::super::worker::{Wake, Worker};
+use super::super::worker::{Manner, Wake, Worker};
 use crate::RenderError;
 use crate::chart::{Figures, MapChoice, Maps, Views, Way, is_repeated, measure_way, one_family};
 use crate::gpu::Picture;
@@ -76,7 +76,14 @@ pub(super) type ChartWorker = Worker<ChartRequest, ChartReply>;
 /// Starts the worker that measures.
 pub(super) fn chart_worker(wake: Wake) -> std::io::Result<ChartWorker> {
     let failed = |words: String| ChartReply::Broken(format!("ways to draw could not be measured: {words}"));
-    Worker::start("chart", Duration::ZERO, wake, Lab::default, Lab::serve, failed)
+    Worker::start(
+        "chart",
+        Manner { patience: Duration::ZERO, leaves_behind: false },
+        wake,
+        Lab::default,
+        Lab::serve,
+        failed,
+    )
 }
 
 /// A device and what was last measured on it.

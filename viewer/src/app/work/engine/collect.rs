@@ -48,6 +48,7 @@ impl Engine {
         }
         let mut loaded = false;
         for reply in self.meshes.replies() {
+            self.asked.loading = None;
             match reply.result {
                 Ok(mesh) => {
                     self.refused.clear();
