@@ -129,6 +129,7 @@ impl Target {
     }
 
     /// Their texture.
+    #[cfg(feature = "app")]
     pub(crate) fn texture(&self) -> &wgpu::Texture {
         &self.texture
     }

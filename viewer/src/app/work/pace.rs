@@ -8,7 +8,7 @@ const COSTLY_MS: f64 = 42.0;
 const COARSEST: u32 = 8;
 
 /// Sides that pictures keep however costly they are.
-const LEAST_PX: u32 = 240;
+const LEAST_PX: u32 = 160;
 
 /// How many times as many pixels a picture has to have as another, for what both took to tell of mesh and pixels.
 const UNLIKE: f64 = 1.5;
@@ -17,11 +17,11 @@ const UNLIKE: f64 = 1.5;
 const SLACK: f64 = 1.15;
 
 /// How long a band of a picture may take, in milliseconds, that the window waits for, and how many there are at most.
-const BAND_MS: f64 = 50.0;
+const BAND_MS: f64 = 90.0;
 const BANDS: u32 = 12;
 
 /// Bands of a picture whose cost nobody knows.
-const FIRST_BANDS: u32 = 4;
+const FIRST_BANDS: u32 = 3;
 
 /// Where a map takes longer than this, in milliseconds, a smaller one stands in for it while a slider moves, yet none
 /// smaller than so many texels to a side.
@@ -149,7 +149,7 @@ mod tests {
         assert_eq!(after(&[(SIZE_PX, 4, 50_000)]).coarser([8000, 6000], 4), COARSEST);
         assert_eq!(after(&[(SIZE_PX, 4, 50_000)]).coarser([300, 100], 4), 1);
         let bands = [1, 33, 70, 200, 5000].map(|ms| after(&[(SIZE_PX, 4, ms)]).bands(SIZE_PX, 4));
-        assert_eq!(bands, [1, 1, 2, 4, BANDS]);
+        assert_eq!(bands, [1, 1, 1, 3, BANDS]);
     }
 
     #[test]
