@@ -181,6 +181,10 @@ impl App {
         self.play(&ctx);
         self.frame_mesh();
         self.follow(&ctx);
+        // A picture that is being drawn asks for the next frame itself: drawing the window meanwhile would only delay it.
+        if self.model.state.transient.motion.is_some() && !self.engine.is_drawing() {
+            ctx.request_repaint();
+        }
         self.thumbnails();
         let (time_s, held) = ctx.input(|input| (input.time, input.pointer.any_down()));
         if self.model.history.watch(time_s, held, &self.model.state) {
@@ -345,7 +349,6 @@ impl App {
         if transient.motion.is_some() {
             let step_s = f64::from(ctx.input(|input| input.stable_dt)).min(0.1);
             transient.phase = (transient.phase + step_s / ROUND_S).fract();
-            ctx.request_repaint();
         }
     }
 

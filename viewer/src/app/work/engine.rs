@@ -140,6 +140,11 @@ impl Engine {
             || self.files.is_busy()
     }
 
+    /// Whether a picture is being drawn.
+    pub(crate) fn is_drawing(&self) -> bool {
+        self.pictures.is_busy()
+    }
+
     /// Asks for what the state needs and nobody was asked for yet.
     pub(crate) fn follow(&mut self, state: &State, demand: Demand, results: &mut Results) {
         if !demand.size_px.contains(&0) {
