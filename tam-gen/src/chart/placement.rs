@@ -151,24 +151,6 @@ fn median_ms(mut times: Vec<Duration>) -> f64 {
 mod tests {
     use super::*;
 
-    fn figures(way: Way) -> PlacementFigures {
-        let mut preset = Preset::default();
-        preset.map.size = 128;
-        measure_placement(&preset, way, 3, &Job::default()).expect("the default preset")
-    }
-
-    #[test]
-    fn ours_lies_more_evenly_than_chance_and_every_way_has_a_cost() {
-        let [ours, search, chance] = [Way::Progressive(4), Way::Praun(100), Way::Random].map(figures);
-        // How much less ours costs is a figure of `cargo bench -p tam-gen --bench ratios`.
-        assert!([ours.cpu_ms, search.cpu_ms, chance.cpu_ms].iter().all(|ms| *ms > 0.0), "{ours:?}, {search:?}");
-        assert!(ours.ratio() > 1.0 && ours.tone_max < 1e-3, "{ours:?}");
-        for (ours, chance) in ours.evenness.iter().zip(&chance.evenness) {
-            let (ours, chance) = (ours.expect("one family"), chance.expect("one family"));
-            assert!(ours.box_cv < 0.8 * chance.box_cv && ours.gap_cv < 0.9 * chance.gap_cv, "{ours:?}, {chance:?}");
-        }
-    }
-
     #[test]
     fn columns_of_two_families_have_no_evenness() {
         let mut preset = Preset::default();

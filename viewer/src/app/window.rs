@@ -166,7 +166,7 @@ impl App {
         let ctx = ui.ctx().clone();
         style::follow(&ctx, &self.model.state.settings);
         let mut commands = self.collect();
-        if self.gpu.is_lost() {
+        if self.results.device_lost.is_some() || self.gpu.is_lost() {
             self.leave(&ctx);
             return;
         }

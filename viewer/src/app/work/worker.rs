@@ -25,7 +25,8 @@ pub(crate) struct Worker<Request, Reply> {
     thread: Mutex<JoinHandle<()>>,
 }
 
-type Restart = Box<dyn Fn() -> std::io::Result<JoinHandle<()>> + Send + Sync>;
+/// Starts the thread of a number.
+type Restart = Box<dyn Fn(u64) -> std::io::Result<JoinHandle<()>> + Send + Sync>;
 
 /// How a worker treats what it works on when there is something newer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,10 +104,9 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
         let (sender, replies) = channel();
         let of_threads = Arc::clone(&shared);
         let doing = Arc::new((state, work, failed));
-        let spawn = move || {
+        let spawn = move |own| {
             let (shared, wake, sender, doing) =
                 (Arc::clone(&of_threads), Arc::clone(&wake), sender.clone(), Arc::clone(&doing));
-            let own = shared.lock().thread;
             std::thread::Builder::new().name(name.to_owned()).spawn(move || {
                 let (state, work, failed) = &*doing;
                 let mut held = state();
@@ -143,7 +143,7 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
                 }
             })
         };
-        let thread = Mutex::new(spawn()?);
+        let thread = Mutex::new(spawn(0)?);
         let Manner { patience, leaves_behind } = manner;
         Ok(Self { shared, patience, replies, restart: leaves_behind.then(|| Box::new(spawn) as Restart), thread })
     }
@@ -184,13 +184,16 @@ impl<Request: Send + 'static, Reply: Send + 'static> Worker<Request, Reply> {
         if cancelled.is_none_or(|at| at.elapsed() < SOON) || inbox.left_behind >= LEFT_BEHIND {
             return;
         }
-        inbox.thread += 1;
-        inbox.left_behind += 1;
-        inbox.working = None;
-        drop(inbox);
-        match restart() {
-            Ok(thread) => *self.thread.lock().unwrap_or_else(PoisonError::into_inner) = thread,
-            Err(error) => tracing::warn!("no thread is left for more work: {error}"),
+        match restart(inbox.thread + 1) {
+            Ok(thread) => {
+                inbox.thread += 1;
+                inbox.left_behind += 1;
+                inbox.working = None;
+                *self.thread.lock().unwrap_or_else(PoisonError::into_inner) = thread;
+            }
+            Err(error) => {
+                tracing::warn!("no thread is left for more work, which waits for what does not stop: {error}")
+            }
         }
     }
 
