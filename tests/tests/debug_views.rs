@@ -8,7 +8,7 @@ use tam_tests::gpu::{Stage, difference, light_from, loaded, mappings, nan_count,
 use tam_viewer::gpu::{GpuOptions, PixelFormat};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
-use tam_viewer::{DebugView, Follow, Form, Light, Lights, Mapping, Method, RenderParams, Scene};
+use tam_viewer::{DebugView, Follow, Form, Inspect, Light, Lights, Mapping, Method, RenderParams, Scene};
 
 const SIDE: u32 = 128;
 /// Shades of the form differ by less than this over a flat square seen from the front.
@@ -18,8 +18,12 @@ fn stage() -> Stage {
     Stage::new("fine-pen", SIDE)
 }
 
-fn showing(debug: DebugView) -> RenderParams {
-    RenderParams { debug: Some(debug), silhouettes: None, ..RenderParams::default() }
+fn showing(debug: DebugView, scene: &Scene) -> Scene {
+    Scene { inspect: Inspect { debug: Some(debug), ..Inspect::default() }, ..scene.clone() }
+}
+
+fn bare() -> RenderParams {
+    RenderParams { silhouettes: None, ..RenderParams::default() }
 }
 
 fn quad() -> Mesh {
@@ -51,10 +55,9 @@ fn every_view_differs_from_the_picture_and_from_the_others() {
     let mut stage = stage();
     let mesh = prepare(Sample::TorusKnot.build(2_000)).expect("a knot").mesh;
     let scene = scene_with(light_from(DVec3::new(-1.0, 1.0, 1.0)));
-    let plain = RenderParams { silhouettes: None, ..RenderParams::default() };
-    let views = DebugView::ALL.map(showing);
+    let views = DebugView::ALL.map(|view| showing(view, &scene));
     let pictures: Vec<_> =
-        std::iter::once(plain).chain(views).map(|params| stage.draw(&scene, &params, &mesh)).collect();
+        std::iter::once(scene).chain(views).map(|scene| stage.draw(&scene, &bare(), &mesh)).collect();
     for (i, a) in pictures.iter().enumerate() {
         for (k, b) in pictures[..i].iter().enumerate() {
             assert!(difference(a, b) > 0.02, "{k} and {i}: {}", difference(a, b));
@@ -66,12 +69,12 @@ fn every_view_differs_from_the_picture_and_from_the_others() {
 fn tone_is_the_wanted_darkness_with_lines_where_it_is_a_columns() {
     let mut stage = stage();
     for darkness in [0.0, 0.3, 0.85] {
-        let pixels = stage.draw(&square_at(darkness), &showing(DebugView::Tone), &quad());
+        let pixels = stage.draw(&showing(DebugView::Tone, &square_at(darkness)), &bare(), &quad());
         assert_near(middle(&pixels), DVec3::splat(1.0 - darkness), 1e-5);
     }
     let mesh = prepare(Sample::Sphere.build(20_000)).expect("a sphere").mesh;
     let scene = scene_with(light_from(DVec3::new(-0.4, 0.5, 1.0)));
-    let shown = stage.draw(&scene, &showing(DebugView::Tone), &mesh);
+    let shown = stage.draw(&showing(DebugView::Tone, &scene), &bare(), &mesh);
     let wanted = RenderParams { method: Method::Phong, silhouettes: None, ..RenderParams::default() };
     let wanted = stage.draw(&scene, &wanted, &mesh);
     let tones = stage.map.source.grid.tones.clone();
@@ -95,8 +98,8 @@ fn a_texel_as_large_as_a_pixel_is_level_0_and_one_half_as_large_level_1() {
     let mesh = quad();
     for mapping in [Mapping::Uv, Mapping::Triplanar] {
         // The square has 2 uv per unit, and uv are repeated a whole number of times.
-        let params = RenderParams { mapping, tiles_per_unit: 2.0, ..showing(DebugView::Level) };
-        let mut scene = square_at(0.5);
+        let params = RenderParams { mapping, tiles_per_unit: 2.0, ..bare() };
+        let mut scene = showing(DebugView::Level, &square_at(0.5));
         // The map has 128 px.
         let one_to_one = 1.0 / (128.0 * params.tiles_per_unit * scene.camera.pixel_at_1(SIDE));
         let mut at = |distance: f64, level_bias| {
@@ -125,8 +128,9 @@ fn columns_are_those_beside_the_tone_by_their_shares() {
     let mut stage = stage();
     let tones = stage.map.source.grid.tones.clone();
     // The view of a method that samples the map's own columns.
-    let params = RenderParams { method: Method::FaceFrame, ..showing(DebugView::Columns) };
-    let mut at = |darkness: f64| middle(&stage.draw(&square_at(darkness), &params, &quad()));
+    let params = RenderParams { method: Method::FaceFrame, ..bare() };
+    let shown = |darkness: f64| showing(DebugView::Columns, &square_at(darkness));
+    let mut at = |darkness: f64| middle(&stage.draw(&shown(darkness), &params, &quad()));
     let white = at(0.0);
     let [first, second, third] = [0, 1, 2].map(|k| at(tones[k]));
     assert_near(white, DVec3::splat(white.x), 1e-5);
@@ -156,11 +160,10 @@ fn directions_are_those_in_which_the_ink_runs() {
             let ink =
                 RenderParams { method, mapping, silhouettes: None, line_period_px: 8.0, ..RenderParams::default() };
             let drawn = stage.draw(&scene, &ink, &mesh);
-            let shown = RenderParams { debug: Some(DebugView::Frames), ..ink };
             // The surface is the ink's.
             let surface = tam_tests::gpu::surface_for(&ink, &mesh);
             let uploaded = stage.upload(&ink, &mesh, surface.as_ref());
-            let shown = stage.draw_uploaded(&scene, &shown, &uploaded);
+            let shown = stage.draw_uploaded(&showing(DebugView::Frames, &scene), &ink, &uploaded);
             let turned = (across(&drawn) - decoded(&shown) + 270.0) % 180.0 - 90.0;
             let what = format!("{} {} turned by {rotation_deg}", method.name(), mapping.name());
             // Edges of lines are a pixel wide, where differences over two pixels are off by 6 degrees at most.
@@ -207,14 +210,14 @@ fn inside() -> impl Iterator<Item = (usize, usize)> {
 #[test]
 fn neighbours_share_along_the_edge_they_have_in_common_and_nowhere_else() {
     let mut stage = stage();
-    let scene = square_at(0.5);
+    let scene = showing(DebugView::Adjacency, &square_at(0.5));
     let alone = loaded(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(-1.0, 1.0, 0.0)], &[[0, 1, 2]]);
-    let pixels = stage.draw(&scene, &showing(DebugView::Adjacency), &alone);
+    let pixels = stage.draw(&scene, &bare(), &alone);
     assert!(pixels.iter().all(|pixel| colour(pixel).min_element() > 0.9), "one triangle has no neighbours");
 
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]: [f32; 2]| Vec3::new(x, y, 0.0));
     let square = loaded(&corners, &[[0, 1, 2], [0, 2, 3]]);
-    let pixels = stage.draw(&scene, &showing(DebugView::Adjacency), &square);
+    let pixels = stage.draw(&scene, &bare(), &square);
     // On the diagonal both weigh the same.
     assert_near(middle(&pixels), adjacency_colour(0.5), SHADE);
     // The camera is 4 away: the square fills the middle. A corner that is not on the diagonal is its own triangle's.
@@ -230,7 +233,7 @@ fn neighbours_share_along_the_edge_they_have_in_common_and_nowhere_else() {
     let cube = prepare(Sample::Cube.build(12)).expect("a cube").mesh;
     let mut scene = scene;
     (scene.camera.azimuth_deg, scene.camera.distance) = (0.0, 4.0);
-    let folded = stage.draw(&scene, &showing(DebugView::Adjacency), &cube);
+    let folded = stage.draw(&scene, &bare(), &cube);
     let strongest = oklch(0.55, 0.22, 0.02);
     assert!(folded.iter().any(|pixel| (colour(pixel) - strongest).length() < 0.8), "diagonals are flat");
 }
@@ -238,7 +241,7 @@ fn neighbours_share_along_the_edge_they_have_in_common_and_nowhere_else() {
 #[test]
 fn a_triangle_has_one_colour_and_its_neighbour_another() {
     let mut stage = stage();
-    let pixels = stage.draw(&square_at(0.2), &showing(DebugView::Triangles), &quad());
+    let pixels = stage.draw(&showing(DebugView::Triangles, &square_at(0.2)), &bare(), &quad());
     let hue = |pixel: &[f32; 4]| colour(pixel) / colour(pixel).element_sum();
     let at = |x: u32, y: u32| hue(&pixels[(y * SIDE + x) as usize]);
     let (half, step) = (SIDE / 2, 12);
@@ -253,7 +256,7 @@ fn a_triangle_has_one_colour_and_its_neighbour_another() {
     // The same in the next frame, with and without primitive indices.
     let mut flat =
         Stage { renderer: renderer_with(GpuOptions { flat_face: true, ..GpuOptions::default() }), ..self::stage() };
-    let again = flat.draw(&square_at(0.2), &showing(DebugView::Triangles), &quad());
+    let again = flat.draw(&showing(DebugView::Triangles, &square_at(0.2)), &bare(), &quad());
     assert!(difference(&pixels, &again) < 1e-6);
 }
 
@@ -265,14 +268,14 @@ fn no_view_fails_or_has_pixels_without_a_number_whatever_the_mesh_lacks() {
         for sample in [Sample::Quad, Sample::Cube, Sample::Hand] {
             let mut mesh = prepare(sample.build(300)).expect("a sample").mesh;
             mesh.uvs.clear();
-            let bare = stage.renderer.mesh(&mesh).expect("a mesh that fits");
+            let uploaded = stage.renderer.mesh(&mesh).expect("a mesh that fits");
             let scene = scene_with(light_from(DVec3::new(0.3, 0.8, 0.5)));
             for method in Method::ALL {
                 for (view, mapping) in DebugView::ALL.into_iter().flat_map(|view| Mapping::ALL.map(|m| (view, m))) {
                     let form = if sample == Sample::Cube { Form::Literal } else { Form::Hardened };
-                    let params = RenderParams { method, mapping, form, variety: 0.5, ..showing(view) };
+                    let params = RenderParams { method, mapping, form, variety: 0.5, ..bare() };
                     let params = RenderParams { follow: Follow::Light, ..params };
-                    let pixels = stage.draw_uploaded(&scene, &params, &bare);
+                    let pixels = stage.draw_uploaded(&showing(view, &scene), &params, &uploaded);
                     let what = format!("{} {} {}", sample.name(), method.name(), view.name());
                     assert_eq!(nan_count(&pixels), 0, "{what}");
                     let lacks = match view {
@@ -317,8 +320,8 @@ fn views_of_surfaces_have_a_number_everywhere_under_any_light() {
             for (light, view) in lights.iter().flat_map(|light: &Light| DebugView::ALL.map(|view| (*light, view))) {
                 // The literal frame of a face that looks at the light is 0/0.
                 let form = if sample == Sample::Quad { Form::Literal } else { Form::Hardened };
-                let params = RenderParams { form, debug: Some(view), silhouettes: None, ..params };
-                let pixels = stage.draw_uploaded(&scene_with(light), &params, &uploaded);
+                let params = RenderParams { form, silhouettes: None, ..params };
+                let pixels = stage.draw_uploaded(&showing(view, &scene_with(light)), &params, &uploaded);
                 assert_eq!(nan_count(&pixels), 0, "{} {view:?} {params:?}", sample.name());
                 let has_no_frame = form == Form::Literal && params.mapping == Mapping::Frames && light == lights[0];
                 if has_no_frame && view == DebugView::Frames && params.method == Method::FineTone {
@@ -342,8 +345,8 @@ fn the_wireframe_is_drawn_on_seen_edges_and_nowhere_else() {
     // Targets of 32 bits take no lines.
     let target = stage.renderer.target([SIDE; 2], 1, PixelFormat::Linear16).expect("a small target");
     let mut draw = |scene: &Scene, wireframe: Option<f64>| {
-        let params = RenderParams { wireframe, ..plain };
-        stage.renderer.render(scene, &params, &cube, &[&stage.map], &target).expect("a frame");
+        let scene = Scene { inspect: Inspect { wireframe, ..Inspect::default() }, ..scene.clone() };
+        stage.renderer.render(&scene, &plain, &cube, &[&stage.map], &target).expect("a frame");
         target.read(&stage.renderer.gpu).expect("pixels").linear()
     };
     let without = draw(&scene, None);

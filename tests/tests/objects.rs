@@ -7,7 +7,9 @@ use tam_tests::gpu::{Stage, front_camera, mappings, renderer, scene_with, surfac
 use tam_viewer::gpu::{Gpu, GpuOptions, PixelFormat, TargetFormats, TargetViews};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, Part, prepare};
-use tam_viewer::{Follow, Form, Light, Mapping, Material, Method, Object, RenderError, RenderParams, Renderer, Scene};
+use tam_viewer::{
+    Follow, Form, Inspect, Light, Mapping, Material, Method, Object, RenderError, RenderParams, Renderer, Scene,
+};
 
 const SIDE: u32 = 96;
 
@@ -204,15 +206,16 @@ fn every_method_draws_on_a_device_with_default_limits_and_without_features() {
     let map = renderer.map(std::sync::Arc::clone(&stage.map.source));
     let mesh = sample(Sample::Torus, 1500);
     let target = renderer.target([SIDE; 2], 4, PixelFormat::Srgb8).expect("a target");
+    let wired = Scene { inspect: Inspect { wireframe: Some(1.0), ..Inspect::default() }, ..lit() };
     for method in Method::ALL {
         for mapping in mappings(&mesh).into_iter().filter(|mapping| *mapping == Mapping::Uv || method.takes_mapping()) {
-            let params = RenderParams { method, mapping, wireframe: Some(1.0), ..RenderParams::default() };
+            let params = RenderParams { method, mapping, ..RenderParams::default() };
             let mut uploaded = renderer.mesh(&mesh).expect("a mesh that fits");
             if let Some(surface) = surface_for(&params, &mesh) {
                 renderer.attach(&mut uploaded, &surface).expect("a surface that fits");
             }
             // Errors of a device without a handler are panics.
-            renderer.render(&lit(), &params, &uploaded, &[&map], &target).expect("a frame");
+            renderer.render(&wired, &params, &uploaded, &[&map], &target).expect("a frame");
             let picture = target.read(&renderer.gpu).expect("pixels").linear();
             let inked = picture.iter().filter(|pixel| pixel[0] < 0.5).count();
             assert!(inked > 200, "{method:?} {mapping:?}: {inked} pixels");

@@ -13,7 +13,8 @@ use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
 use tam_viewer::surface::Patches;
 use tam_viewer::{
-    Blend, DebugView, FaceFrameForm, Follow, Form, Lights, Mapping, Method, Object, Projection, RenderParams, Scene,
+    Blend, DebugView, FaceFrameForm, Follow, Form, Inspect, Lights, Mapping, Method, Object, Projection, RenderParams,
+    Scene,
 };
 
 const SIDE: u32 = 96;
@@ -26,7 +27,7 @@ struct Drawn {
     distribution: Vec<Vec<DVec2>>,
 }
 
-fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
+fn drawn(params: &RenderParams, inspect: &Inspect, map: &GpuMap) -> Drawn {
     let source = &map.source;
     let columns = |pass| Drawn {
         pass,
@@ -34,7 +35,7 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
         tones: source.grid.tones.clone(),
         distribution: Vec::new(),
     };
-    if params.debug.is_some() {
+    if inspect.debug.is_some() {
         // Level and columns are those of the method's map, and this one has the map's own.
         assert_eq!(params.method, Method::FaceFrame);
         return columns(Pass::Debug);
@@ -67,7 +68,7 @@ fn drawn(params: &RenderParams, map: &GpuMap) -> Drawn {
     }
 }
 
-fn options(params: &RenderParams) -> Options {
+fn options(params: &RenderParams, inspect: &Inspect) -> Options {
     Options {
         form: params.form.into(),
         mapping: params.mapping.into(),
@@ -75,7 +76,7 @@ fn options(params: &RenderParams) -> Options {
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
         follow: params.follow.into(),
         varied: params.method == Method::Stripes && params.variety > 0.0,
-        debug: params.debug.map_or(cpu::DebugView::None, |view| match view {
+        debug: inspect.debug.map_or(cpu::DebugView::None, |view| match view {
             DebugView::Tone => cpu::DebugView::Tone,
             DebugView::Level => cpu::DebugView::Level,
             DebugView::Columns => cpu::DebugView::Columns,
@@ -141,7 +142,7 @@ struct Difference {
 /// it.
 fn compare(stage: &mut Stage, scene: &Scene, params: &RenderParams, mesh: &Mesh) -> Difference {
     let found = stage.draw(scene, params, mesh);
-    let mut drawn = drawn(params, &stage.map);
+    let mut drawn = drawn(params, &scene.inspect, &stage.map);
     let differences = [Sampling::Exact, Sampling::EightBits].map(|sampling| {
         drawn.map.sampling = sampling;
         difference(&found, &drawn, scene, params, mesh)
@@ -170,7 +171,7 @@ fn difference(found: &[[f32; 4]], drawn: &Drawn, scene: &Scene, params: &RenderP
         .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });
     let (map, distribution) = (&drawn.map, &drawn.distribution);
     let draws = [Draw { triangles, material: &material, map, distribution, patches, stripes }];
-    let how = How { pass: drawn.pass, options: options(params), samples: 1 };
+    let how = How { pass: drawn.pass, options: options(params, &scene.inspect), samples: 1 };
     let twin = Reference::new(mesh).render(&shared, &draws, &how).expect("the reference draws");
 
     let (mut pixels, mut differing, mut sum, mut outline) = (0.0, 0.0, 0.0, 0.0);
@@ -364,8 +365,8 @@ fn debug_views_are_drawn_as_the_twins_draw_them() {
         // What `face-frame` lies by, whatever the mapping.
         let method = Method::FaceFrame;
         let params = RenderParams { method, mapping: Mapping::Frames, silhouettes: None, ..RenderParams::default() };
-        let params = RenderParams { debug: Some(debug), ..params };
-        let difference = compare(&mut stage, &scene(), &params, &mesh);
+        let scene = Scene { inspect: Inspect { debug: Some(debug), ..Inspect::default() }, ..scene() };
+        let difference = compare(&mut stage, &scene, &params, &mesh);
         // Derivatives at a triangle's edge may be those of its row's or its column's other pixels: lines and ticks are
         // a little different there.
         assert!(difference.share < 0.01 && difference.mean < 0.001, "{debug:?}: {difference:?}");

@@ -32,7 +32,7 @@ struct Way {
 }
 
 /// Triangles up to which meshes are given a surface, which takes seconds to make.
-const SURFACE_MOST: usize = 120_000;
+const SURFACE_MOST: usize = 600_000;
 
 fn ways() -> Vec<Way> {
     let base = RenderParams { mapping: Mapping::Uv, silhouettes: None, ..RenderParams::default() };

@@ -71,5 +71,5 @@ fn main() {
 fn is_shown(app: &App) -> bool {
     let results = app.results();
     let shown = results.picture.as_ref().and_then(|picture| picture.map.as_ref());
-    shown.zip(results.map.as_ref()).is_some_and(|(shown, made)| std::sync::Arc::ptr_eq(shown, &made.hatch))
+    shown.zip(results.map.as_ref()).is_some_and(|(shown, made)| *shown == made.hatch)
 }

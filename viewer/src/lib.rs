@@ -35,7 +35,7 @@ pub mod turntable;
 pub mod app;
 
 pub use object::Object;
-pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Mapping, Method, RenderParams, Silhouettes};
+pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Inspect, Mapping, Method, RenderParams, Silhouettes};
 pub use renderer::{RenderError, Renderer};
 pub use scene::{AxisView, Camera, Light, LightKind, Lights, Material, Projection, Scene};
 pub use timer::FrameTimer;

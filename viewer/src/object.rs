@@ -4,7 +4,7 @@ use glam::DMat4;
 use tam_shaders::types;
 
 use crate::gpu::{GpuMesh, MapKind, MapTextures};
-use crate::params::{Follow, Mapping, Method, RenderParams};
+use crate::params::{Follow, Inspect, Mapping, Method, RenderParams};
 use crate::renderer::RenderError;
 use crate::scene::{Material, Scene, material_of};
 
@@ -47,12 +47,12 @@ impl<'a> Object<'a> {
     }
 
     /// Whether it has a place, and its mesh what strokes are drawn by. Debug views show what is lacking instead.
-    pub(crate) fn check(&self) -> Result<(), RenderError> {
+    pub(crate) fn check(&self, inspect: &Inspect) -> Result<(), RenderError> {
         let volume = self.world_from_mesh.determinant();
         if !self.world_from_mesh.is_finite() || !volume.is_finite() || volume == 0.0 {
             return Err(RenderError::Placement);
         }
-        if self.params.debug.is_none() { self.check_surface() } else { Ok(()) }
+        if inspect.debug.is_none() { self.check_surface() } else { Ok(()) }
     }
 
     fn check_surface(&self) -> Result<(), RenderError> {

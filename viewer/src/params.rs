@@ -220,7 +220,25 @@ impl Default for Silhouettes {
     }
 }
 
-/// How a frame is drawn. What a stored one does not name is as by default.
+/// What of the drawing itself a picture shows. What a stored one does not name is as by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
+pub struct Inspect {
+    /// What is shown in place of the ink; `None`: the ink.
+    pub debug: Option<DebugView>,
+    /// Width in pixels of lines along all edges of triangles, 0.25..=16; `None`: no such lines.
+    pub wireframe: Option<f64>,
+}
+
+impl Inspect {
+    /// The same for a picture so many times as high.
+    #[must_use]
+    pub fn times_as_high(&self, times: f64) -> Self {
+        Self { wireframe: self.wireframe.map(|width_px| width_px * times), ..*self }
+    }
+}
+
+/// How an object is drawn: the look of its strokes and lines. What a stored one does not name is as by default.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub struct RenderParams {
@@ -251,10 +269,6 @@ pub struct RenderParams {
     pub variety: f64,
     /// Lines over the strokes.
     pub silhouettes: Option<Silhouettes>,
-    /// What is shown in place of the ink; `None`: the ink.
-    pub debug: Option<DebugView>,
-    /// Width in pixels of lines along all edges of triangles, 0.25..=16; `None`: no such lines.
-    pub wireframe: Option<f64>,
 }
 
 impl RenderParams {
@@ -267,7 +281,6 @@ impl RenderParams {
             level_bias: self.level_bias + (times / texels).log2(),
             line_period_px: self.line_period_px * times,
             silhouettes: self.silhouettes.map(|lines| Silhouettes { width_px: lines.width_px * times, ..lines }),
-            wireframe: self.wireframe.map(|width_px| width_px * times),
             ..*self
         }
     }
@@ -297,8 +310,6 @@ impl Default for RenderParams {
             cross_from: Some(0.55),
             variety: 0.0,
             silhouettes: Some(Silhouettes::default()),
-            debug: None,
-            wireframe: None,
         }
     }
 }
@@ -334,8 +345,6 @@ mod tests {
             face_frame: FaceFrameForm::VertexFetched,
             follow: Follow::Light,
             cross_from: None,
-            debug: Some(DebugView::Level),
-            wireframe: Some(1.0),
             ..RenderParams::default()
         };
         let text = serde_json::to_string(&params).expect("they are numbers and names");
@@ -345,5 +354,8 @@ mod tests {
             serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).expect("some of it");
         let silhouettes = Some(Silhouettes { width_px: 3.0, ..Silhouettes::default() });
         assert_eq!(lacking, RenderParams { form: Form::Literal, silhouettes, ..RenderParams::default() });
+        let inspect = Inspect { debug: Some(DebugView::Level), wireframe: Some(1.0) };
+        let text = serde_json::to_string(&inspect).expect("they are numbers and names");
+        assert_eq!(serde_json::from_str::<Inspect>(&text).expect("what was written"), inspect);
     }
 }

@@ -143,8 +143,8 @@ impl Renderer {
         into: &TargetViews<'_>,
     ) -> Result<Vec<Draw<'a>>, RenderError> {
         check_camera(&scene.camera)?;
-        objects.iter().try_for_each(Object::check)?;
-        let with_lines = objects.iter().any(|object| Lines::drawn(object.params).next().is_some());
+        objects.iter().try_for_each(|object| object.check(&scene.inspect))?;
+        let with_lines = objects.iter().any(|object| Lines::drawn(object.params, &scene.inspect).next().is_some());
         into.formats.check(&self.gpu, with_lines)?;
         let radius = objects.iter().map(|object| scene.radius_with(object.world_from_mesh, object.mesh.radius()));
         let radius = radius.fold(0.0, f64::max);
@@ -173,7 +173,7 @@ impl Renderer {
     ) -> Result<Draw<'a>, RenderError> {
         let Self { gpu, layouts, uniforms, shading, lines, turns, .. } = self;
         let Object { mesh, world_from_mesh, params, ink, .. } = *object;
-        let variant = variant(params, mesh);
+        let variant = variant(params, scene.inspect.debug, mesh);
         let shared = scene.shared_for(world_from_mesh, ink, into.size_px, radius);
         if object.turns() {
             mesh.surface.turn(gpu, layouts, &shared, world_from_mesh, nth, turns);
@@ -188,8 +188,10 @@ impl Renderer {
         // Back faces of a closed mesh are never seen from outside.
         let culled = mesh.closed && world_from_mesh.determinant() > 0.0;
         let mapping = params.needed_mapping().unwrap_or(params.mapping);
-        let styled = Lines::drawn(params).map(|kind| (kind, uniforms.style(&kind.style(params, ink)))).collect();
-        if Lines::drawn(params).next().is_some() {
+        let inspect = &scene.inspect;
+        let styled = |kind: LineKind| (kind, uniforms.style(&kind.style(params, inspect, ink)));
+        let styled: Vec<_> = Lines::drawn(params, inspect).map(styled).collect();
+        if !styled.is_empty() {
             lines.make_pipeline(gpu, into.formats);
         }
         Ok(Draw {

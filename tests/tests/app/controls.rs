@@ -211,7 +211,7 @@ fn commands_are_found_by_typing() {
     window.harness.key_press(egui::Key::Enter);
     window.harness.run_steps(2);
     window.settle();
-    assert!(window.app().state().document.look.params.wireframe.is_some());
+    assert!(window.app().state().document.inspect.wireframe.is_some());
     assert!(window.app().state().transient.dialog.is_none());
 }
 

@@ -8,7 +8,7 @@ use super::layout::Pane;
 use super::state::{Dialog, Motion, State, Theme, Tool};
 use crate::mesh::deform::Deform;
 use crate::params::DebugView;
-use crate::{AxisView, Camera, Form, Light, LightKind, Mapping, Method, Projection};
+use crate::{AxisView, Camera, Form, Inspect, Light, LightKind, Mapping, Method, Projection};
 
 /// Something a user can do.
 #[derive(Clone, Debug, PartialEq)]
@@ -204,7 +204,6 @@ fn looks(state: &State, all: &mut Vec<Action>) {
 
 fn views(state: &State, all: &mut Vec<Action>) {
     let mut list = List { all, group: Group::View };
-    let look = &state.document.look;
     list.add("Show the whole mesh", plain(Key::F), Command::FrameMesh);
     let axes = [
         (AxisView::Front, Key::Num1),
@@ -225,9 +224,10 @@ fn views(state: &State, all: &mut Vec<Action>) {
     list.switch("View: orthographic", ctrl(Key::Num5), state.camera.is_parallel(), other);
     let comparing = state.document.compare.is_some();
     list.switch("Compare two looks", plain(Key::C), comparing, Command::SetCompare(toggled_compare(state)));
-    let mut wired = look.clone();
-    wired.params.wireframe = if look.params.wireframe.is_some() { None } else { Some(1.0) };
-    list.switch("Wireframe", plain(Key::W), look.params.wireframe.is_some(), Command::SetLook(Box::new(wired)));
+    let inspect = state.document.inspect;
+    let wired = inspect.wireframe.is_some();
+    let other = Inspect { wireframe: (!wired).then_some(1.0), ..inspect };
+    list.switch("Wireframe", plain(Key::W), wired, Command::SetInspect(other));
     let tool = state.transient.tool;
     let other = if tool == Tool::Guide { Tool::Navigate } else { Tool::Guide };
     list.switch("Draw guides on the mesh", plain(Key::G), tool == Tool::Guide, Command::SetTool(other));
@@ -247,11 +247,10 @@ fn views(state: &State, all: &mut Vec<Action>) {
     }
     list.group = Group::Debug;
     for debug in DebugView::ALL {
-        let shown = look.params.debug == Some(debug);
-        let mut changed = look.clone();
-        changed.params.debug = (!shown).then_some(debug);
+        let shown = inspect.debug == Some(debug);
+        let changed = Inspect { debug: (!shown).then_some(debug), ..inspect };
         let name = format!("Inspect: {}", debug_label(debug).to_lowercase());
-        list.switch(name, None, shown, Command::SetLook(Box::new(changed)));
+        list.switch(name, None, shown, Command::SetInspect(changed));
     }
 }
 

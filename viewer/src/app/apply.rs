@@ -100,6 +100,7 @@ pub(crate) fn apply(model: &mut Model, command: Command) -> Vec<Effect> {
     match command {
         Command::SetPreset(preset) => state.document.preset = *preset,
         Command::SetLook(look) => state.document.look = *look,
+        Command::SetInspect(inspect) => state.document.inspect = inspect,
         Command::SetMaterial(preset, look) => {
             state.document.preset = *preset;
             state.document.look = *look;

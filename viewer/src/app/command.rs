@@ -9,8 +9,8 @@ use super::state::{
     CellView, ChartSettings, ChartView, Compare, Dialog, ExportSettings, FitSettings, Look, MeshSource, Motion,
     Navigation, PictureSettings, Standing, Theme, Tool, TurntableSettings,
 };
-use crate::Camera;
 use crate::scene::{Lights, Material};
+use crate::{Camera, Inspect};
 
 /// One request. Panels push these; `apply` carries them out.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +21,8 @@ pub enum Command {
     SetLook(Box<Look>),
     /// Change the preset, and method, mapping and form, in one step.
     SetMaterial(Box<Preset>, Box<Look>),
+    /// Choose what of the drawing itself is shown.
+    SetInspect(Inspect),
     /// Change the lights.
     SetLights(Lights),
     /// Change the materials of the mesh's objects.

@@ -36,4 +36,4 @@ pub use run::{AppError, WindowOptions, run, setup};
 pub use session::default_path as default_session;
 pub use state::*;
 pub use window::{App, Leaving, Options};
-pub use work::{Canvas, ChartResults, FitResults, FittedScene, MeasuredWay, Results, Shown};
+pub use work::{Canvas, ChartResults, FitResults, FittedScene, MeasuredWay, Named, Results, Shown};

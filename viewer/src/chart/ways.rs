@@ -37,7 +37,7 @@ pub struct WaysOptions<'a> {
 /// makes a difference to it. Maps of other tones than the first are drawn by the hardened forms of methods that mix
 /// columns.
 pub fn ways(options: &WaysOptions<'_>) -> Vec<Way> {
-    let base = RenderParams { silhouettes: None, wireframe: None, debug: None, ..options.base };
+    let base = RenderParams { silhouettes: None, ..options.base };
     let mut ways = vec![Way { params: RenderParams { method: Method::Phong, form: Form::Hardened, ..base }, map: 0 }];
     for method in options.methods {
         match method {

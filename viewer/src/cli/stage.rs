@@ -162,6 +162,7 @@ impl Stage {
         let colours = source::colours(&maps[0].source);
         let mut scene = objects.file.view.scene(colours);
         scene.ink = objects.file.look.ink.map_or(scene.ink, |ink| ink.0);
+        scene.inspect = view.inspect(size);
         for (drawn, piece) in drawn.iter_mut().zip(&objects.pieces) {
             drawn.ink = piece.look.ink.map_or(scene.ink, |ink| ink.0);
             if times != 1.0 {

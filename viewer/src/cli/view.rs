@@ -10,7 +10,9 @@ use tam_viewer::gpu::GpuOptions;
 use tam_viewer::scene::MAX_LIGHTS;
 use tam_viewer::scene_file::value::{self, Colour, Deformed, OrNone, Orbit, Specular};
 use tam_viewer::scene_file::{Camera, LookEntry, MappingEntry, OBJECTS_MAX, ObjectEntry, SceneFile, ViewEntry};
-use tam_viewer::{Blend, DebugView, Form, Light, Mapping, Method, Projection, RenderParams, Silhouettes, ranges};
+use tam_viewer::{
+    Blend, DebugView, Form, Inspect, Light, Mapping, Method, Projection, RenderParams, Silhouettes, ranges,
+};
 
 use super::object::{ObjectArg, Settings, object, place};
 use super::stage::DEFAULT_MAP;
@@ -348,11 +350,15 @@ impl ViewArgs {
         look
     }
 
-    /// How a look in words is drawn, and what is shown in place of it.
+    /// What of the drawing itself is shown, in a picture of this size.
+    pub(super) fn inspect(&self, size: [u32; 2]) -> Inspect {
+        Inspect { debug: self.debug, wireframe: self.wireframe }.times_as_high(self.times_as_high(size))
+    }
+
+    /// How a look in words is drawn.
     pub(super) fn params(&self, look: &LookEntry, has_uv: bool, size: [u32; 2]) -> RenderParams {
         let times = self.times_as_high(size);
-        let params = look.params(has_uv, line_width_px(size.map(|side| (f64::from(side) / times).round() as u32)));
-        RenderParams { debug: self.debug, wireframe: self.wireframe, ..params }
+        look.params(has_uv, line_width_px(size.map(|side| (f64::from(side) / times).round() as u32)))
     }
 
     /// How many times as high a picture of this size is as the one that it looks like.

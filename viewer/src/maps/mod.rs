@@ -73,6 +73,12 @@ impl HatchMap {
         self.fine_with(&Job::default())
     }
 
+    /// Whether they are there already.
+    #[cfg(feature = "app")]
+    pub(crate) fn has_fine(&self) -> bool {
+        self.fine.get().is_some()
+    }
+
     /// The same, followed and stopped by a job where it has to be made first.
     ///
     /// # Errors

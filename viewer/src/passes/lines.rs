@@ -9,7 +9,7 @@ use tam_shaders::{Pass, types};
 use super::faces::group_rows;
 use super::shading::{depth_state, module};
 use crate::gpu::{Gpu, Layouts, Offsets, TargetFormats};
-use crate::params::{RenderParams, Silhouettes};
+use crate::params::{Inspect, RenderParams, Silhouettes};
 use crate::renderer::Draw;
 
 /// Lines over the strokes.
@@ -21,7 +21,7 @@ pub(crate) enum LineKind {
 
 impl LineKind {
     /// What they look like; all at nothing where they are not drawn.
-    pub(crate) fn style(self, params: &RenderParams, ink: [f32; 3]) -> types::LineStyle {
+    pub(crate) fn style(self, params: &RenderParams, inspect: &Inspect, ink: [f32; 3]) -> types::LineStyle {
         match self {
             Self::Silhouettes => {
                 params.silhouettes.map_or_else(types::LineStyle::default, |lines| silhouettes_style(&lines, ink))
@@ -29,7 +29,7 @@ impl LineKind {
             Self::Wireframe => types::LineStyle {
                 colour: WIREFRAME_COLOUR,
                 edges: 1,
-                width_px: params.wireframe.unwrap_or(0.0) as f32,
+                width_px: inspect.wireframe.unwrap_or(0.0) as f32,
                 ..types::LineStyle::default()
             },
         }
@@ -63,8 +63,8 @@ impl Lines {
     }
 
     /// The lines that are drawn, the uppermost last.
-    pub(crate) fn drawn(params: &RenderParams) -> impl Iterator<Item = LineKind> {
-        let wireframe = params.wireframe.map(|_| LineKind::Wireframe);
+    pub(crate) fn drawn(params: &RenderParams, inspect: &Inspect) -> impl Iterator<Item = LineKind> {
+        let wireframe = inspect.wireframe.map(|_| LineKind::Wireframe);
         wireframe.into_iter().chain(params.silhouettes.map(|_| LineKind::Silhouettes))
     }
 

@@ -6,7 +6,7 @@ use tam_shaders::{Pass, compose, cpu};
 
 use super::{debug, face_frame, fine_tone, phong, six_way, stripes, stroke_map};
 use crate::gpu::{Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats};
-use crate::params::{Blend, Follow, Form, Mapping, Method, RenderParams};
+use crate::params::{Blend, DebugView, Follow, Form, Mapping, Method, RenderParams};
 use crate::renderer::Draw;
 
 /// One way to draw: a shader with its constants.
@@ -46,9 +46,9 @@ pub(crate) fn form_constant(form: Form) -> u32 {
     cpu::Form::from(form) as u32
 }
 
-/// The variant that draws a mesh with these parameters.
-pub(crate) fn variant(params: &RenderParams, mesh: &GpuMesh) -> Variant {
-    params.debug.map_or_else(|| method_variant(params), |view| debug::variant(view, params, mesh))
+/// The variant that draws a mesh with these parameters, or what a debug view shows in place of its ink.
+pub(crate) fn variant(params: &RenderParams, shown: Option<DebugView>, mesh: &GpuMesh) -> Variant {
+    shown.map_or_else(|| method_variant(params), |view| debug::variant(view, params, mesh))
 }
 
 /// The variant of a method.

@@ -10,8 +10,9 @@ pub use camera::{AxisView, Camera, Projection};
 pub use light::{Light, LightKind, Lights, MAX_LIGHTS};
 
 use crate::mesh::Mesh;
+use crate::params::Inspect;
 
-/// A scene: one mesh is drawn in it.
+/// What belongs to a picture as a whole, and the mesh of a picture that shows one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Where it is seen from.
@@ -26,6 +27,8 @@ pub struct Scene {
     pub ink: [f32; 3],
     /// Leave out the paper around the mesh.
     pub transparent: bool,
+    /// What of the drawing itself is shown.
+    pub inspect: Inspect,
     /// One per part of the mesh; the last serves parts beyond it.
     pub materials: Vec<Material>,
 }
@@ -39,6 +42,7 @@ impl Default for Scene {
             paper: [1.0; 3],
             ink: [0.0; 3],
             transparent: false,
+            inspect: Inspect::default(),
             materials: vec![Material::default()],
         }
     }

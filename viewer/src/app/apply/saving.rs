@@ -10,6 +10,7 @@ use super::super::scenes::{self, Beside};
 use super::super::state::{MeshSource, PresetSource, Severity, State};
 use super::super::work::Results;
 use super::{open, tell};
+use crate::Inspect;
 use crate::surface::guides;
 
 /// The file to be written, and the same command with that, where its extension has been left out.
@@ -94,11 +95,11 @@ pub(crate) fn command_line(state: &State, results: &Results, size_px: [u32; 2]) 
         words.push(name);
         words.extend(Some(value).filter(|value| !value.is_empty()));
     }
-    let params = &state.document.look.params;
-    if let Some(debug) = params.debug {
+    let Inspect { debug, wireframe } = state.document.inspect;
+    if let Some(debug) = debug {
         words.extend(["--debug".to_owned(), debug.name().to_owned()]);
     }
-    if let Some(width_px) = params.wireframe {
+    if let Some(width_px) = wireframe {
         words.extend(["--wireframe".to_owned(), width_px.to_string()]);
     }
     words.extend(["--size".to_owned(), format!("{width}x{height}")]);

@@ -8,6 +8,7 @@ use tam_gen::Preset;
 
 use super::look::Look;
 use super::object::{SceneObject, Standing};
+use crate::Inspect;
 use crate::mesh::sample::Sample;
 use crate::scene::{Lights, Material};
 
@@ -40,6 +41,9 @@ pub struct Document {
     pub part_presets: BTreeMap<PathBuf, Preset>,
     /// Another look or preset beside it.
     pub compare: Option<Compare>,
+    /// What of the drawing itself is shown.
+    #[serde(default)]
+    pub inspect: Inspect,
 }
 
 impl Default for Document {
@@ -60,6 +64,7 @@ impl Default for Document {
             paper: None,
             part_presets: BTreeMap::new(),
             compare: None,
+            inspect: Inspect::default(),
         }
     }
 }

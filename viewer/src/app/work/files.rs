@@ -1,13 +1,13 @@
 //! What is written to disk: maps, pictures, turntables.
 
 use std::path::{Path as FilePath, PathBuf};
-use std::sync::Arc;
 use std::time::Duration;
 
 use image::RgbaImage;
 use tam_gen::export::{ExportError, ExportOptions, Format, export};
 use tam_gen::{GenerateError, Job, Preset};
 
+use super::named::Named;
 use super::painter::{Painter, Shot};
 use super::worker::{Manner, Wake, Worker};
 use crate::RenderError;
@@ -90,14 +90,14 @@ fn map(
 /// Makes maps finer for a picture that is larger than the one it looks like, where their presets are known.
 fn with_finer_maps(shot: &mut Shot, job: &Job<'_>) -> Result<(), GenerateError> {
     let times = f64::from(shot.size_px[1]) / f64::from(shot.for_height.max(1));
-    let mut made: Vec<(Arc<HatchMap>, Arc<HatchMap>)> = Vec::new();
+    let mut made: Vec<(Named<HatchMap>, Named<HatchMap>)> = Vec::new();
     for map in shot.sides.iter_mut().flat_map(|side| &mut side.sitters).flat_map(|sitter| &mut sitter.maps) {
-        if let Some((_, finer)) = made.iter().find(|(own, _)| Arc::ptr_eq(own, map)) {
-            *map = Arc::clone(finer);
+        if let Some((_, finer)) = made.iter().find(|(own, _)| own == map) {
+            *map = finer.clone();
         } else if let Some(preset) = map.preset.as_ref().filter(|preset| preset.texels_for(times) > 1) {
             let job = Job { progress: None, ..*job };
-            let finer = Arc::new(HatchMap::finer(&map.name, preset, preset.texels_for(times), &job)?);
-            made.push((Arc::clone(map), Arc::clone(&finer)));
+            let finer = Named::map(HatchMap::finer(&map.name, preset, preset.texels_for(times), &job)?);
+            made.push((map.clone(), finer.clone()));
             *map = finer;
         }
     }

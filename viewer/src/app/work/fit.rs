@@ -200,7 +200,7 @@ fn fitted(stand: &mut Option<Stand>, request: &FitRequest, job: &Job<'_>) -> Res
                 )));
             }
             let quiet = Job { progress: None, ..*job };
-            let request = SurfaceRequest { mesh: Arc::clone(&subject.mesh), options };
+            let request = SurfaceRequest { mesh: subject.mesh.clone(), options };
             Some(make_surface(request, &quiet).map_err(|error| match error {
                 SurfaceError::Cancelled => Failure::Cancelled,
                 error => Failure::Told(format!("strokes cannot follow this mesh: {error}")),

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use tam_gen::checks::{Report, check_map};
 use tam_gen::{GenerateError, Generator, Job, Map, Preset};
 
+use super::named::Named;
 use super::worker::{Manner, Wake, Worker};
 use crate::maps::HatchMap;
 
@@ -20,7 +21,7 @@ pub struct MadeMap {
     /// The map, with its strokes.
     pub map: Map,
     /// The same as the renderer takes it.
-    pub hatch: Arc<HatchMap>,
+    pub hatch: Named<HatchMap>,
     /// How long that took.
     pub took: Duration,
     /// Greatest tone error of a cell.
@@ -73,7 +74,7 @@ fn made(generator: &mut Generator, request: &MapRequest, job: &Job<'_>) -> Resul
     }
     let tone_error = tone_error(&map);
     let (preset, draft) = (request.preset.clone(), request.draft_px.is_some());
-    Ok(MadeMap { preset, map, hatch: Arc::new(hatch), took, tone_error, draft })
+    Ok(MadeMap { preset, map, hatch: Named::map(hatch), took, tone_error, draft })
 }
 
 /// Greatest difference between a cell's mean and its column's tone.

@@ -6,6 +6,7 @@ use std::time::Duration;
 use tam_gen::Job;
 
 use super::super::state::MeshSource;
+use super::named::Named;
 use super::worker::{Manner, Wake, Worker};
 use crate::mesh::{Mesh, MeshReport, load, prepare};
 
@@ -15,7 +16,7 @@ pub struct LoadedMesh {
     /// Where from.
     pub source: MeshSource,
     /// The mesh.
-    pub mesh: Arc<Mesh>,
+    pub mesh: Named<Mesh>,
     /// What was found and mended.
     pub report: MeshReport,
 }
@@ -37,7 +38,8 @@ pub(super) fn mesh_worker(wake: Wake) -> std::io::Result<MeshWorker> {
         };
         let result = match loaded {
             Ok(loaded) => {
-                Ok(Arc::new(LoadedMesh { source: source.clone(), mesh: Arc::new(loaded.mesh), report: loaded.report }))
+                let mesh = Named::mesh(loaded.mesh);
+                Ok(Arc::new(LoadedMesh { source: source.clone(), mesh, report: loaded.report }))
             }
             Err(error) => Err(error.to_string()),
         };

@@ -7,6 +7,7 @@ use std::time::Duration;
 use glam::{DMat4, Vec3};
 
 use super::canvases::{Canvas, Canvases};
+use super::named::Named;
 use crate::gpu::{Gpu, GpuError, GpuMap, GpuMesh, GpuOptions, TargetViews};
 use crate::maps::HatchMap;
 use crate::mesh::Mesh;
@@ -48,13 +49,13 @@ pub(super) struct Side {
 }
 
 /// An object, or a part of one, as it is drawn.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sitter {
     pub params: RenderParams,
-    pub mesh: Arc<Mesh>,
-    pub surface: Option<Arc<Surface>>,
+    pub mesh: Named<Mesh>,
+    pub surface: Option<Named<Surface>>,
     /// Those that its materials name by number.
-    pub maps: Vec<Arc<HatchMap>>,
+    pub maps: Vec<Named<HatchMap>>,
     pub world_from_mesh: DMat4,
     /// Colour of the ink, linear light.
     pub ink: [f32; 3],
@@ -63,30 +64,9 @@ pub(super) struct Sitter {
 
 impl Sitter {
     /// Of a mesh at the origin, in its own colours.
-    pub(super) fn plain(params: RenderParams, mesh: Arc<Mesh>, map: Arc<HatchMap>, ink: [f32; 3]) -> Self {
+    pub(super) fn plain(params: RenderParams, mesh: Named<Mesh>, map: Named<HatchMap>, ink: [f32; 3]) -> Self {
         let materials = Scene::of(&mesh).materials;
         Self { params, mesh, surface: None, maps: vec![map], world_from_mesh: DMat4::IDENTITY, ink, materials }
-    }
-}
-
-impl PartialEq for Sitter {
-    fn eq(&self, other: &Self) -> bool {
-        same(self.surface.as_ref(), other.surface.as_ref())
-            && Arc::ptr_eq(&self.mesh, &other.mesh)
-            && self.maps.len() == other.maps.len()
-            && self.maps.iter().zip(&other.maps).all(|(own, other)| Arc::ptr_eq(own, other))
-            && self.params == other.params
-            && self.world_from_mesh == other.world_from_mesh
-            && self.ink == other.ink
-            && self.materials == other.materials
-    }
-}
-
-/// Whether both are the same one, or nothing.
-fn same<T>(own: Option<&Arc<T>>, other: Option<&Arc<T>>) -> bool {
-    match (own, other) {
-        (Some(own), Some(other)) => Arc::ptr_eq(own, other),
-        (own, other) => own.is_none() && other.is_none(),
     }
 }
 
@@ -114,8 +94,7 @@ pub(super) struct Painter {
     renderer: Renderer,
     timer: FrameTimer,
     meshes: Vec<UploadedMesh>,
-    /// Each with the shot that used it last.
-    maps: Vec<(GpuMap, u64)>,
+    maps: Vec<UploadedMap>,
     canvases: Canvases,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
@@ -124,10 +103,17 @@ pub(super) struct Painter {
 }
 
 struct UploadedMesh {
-    source: Arc<Mesh>,
-    surface: Option<Arc<Surface>>,
+    source: Named<Mesh>,
+    surface: Option<Named<Surface>>,
     mesh: GpuMesh,
     pose: Option<(Path, f64)>,
+    /// The shot that used it last.
+    used: u64,
+}
+
+struct UploadedMap {
+    source: Named<HatchMap>,
+    map: GpuMap,
     /// The shot that used it last.
     used: u64,
 }
@@ -220,7 +206,7 @@ impl Painter {
     fn paint_side(&mut self, shot: &Shot, side: &Side, into: &TargetViews<'_>) -> Result<Duration, RenderError> {
         let meshes: Vec<usize> =
             side.sitters.iter().map(|sitter| self.mesh(sitter, shot.pose)).collect::<Result<_, _>>()?;
-        let mut maps: Vec<Arc<HatchMap>> = Vec::new();
+        let mut maps: Vec<Named<HatchMap>> = Vec::new();
         let mut materials: Vec<Vec<Material>> = Vec::with_capacity(side.sitters.len());
         for sitter in &side.sitters {
             let numbers: Vec<usize> = sitter.maps.iter().map(|map| number_of(&mut maps, map)).collect();
@@ -232,9 +218,10 @@ impl Painter {
         }
         let uploaded: Vec<usize> = maps.iter().map(|map| self.map(map)).collect();
         let Self { renderer, timer, meshes: kept, maps, .. } = self;
-        let scene = Scene { paper: side.paper, ..shot.posed() };
-        let maps: Vec<&GpuMap> = uploaded.iter().map(|map| &maps[*map].0).collect();
+        let maps: Vec<&GpuMap> = uploaded.iter().map(|map| &maps[*map].map).collect();
         let times = f64::from(shot.size_px[1]) / f64::from(shot.for_height.max(1));
+        let inspect = shot.scene.inspect.times_as_high(times);
+        let scene = Scene { paper: side.paper, inspect, ..shot.posed() };
         let texels = |sitter: &Sitter| sitter.maps.first().map_or(1, |map| map.texels);
         let look = |sitter: &Sitter| sitter.params.times_as_high(times, texels(sitter).into());
         let looks: Vec<RenderParams> = side.sitters.iter().map(look).collect();
@@ -249,12 +236,10 @@ impl Painter {
 
     /// Where the mesh is among those uploaded, in its pose.
     fn mesh(&mut self, sitter: &Sitter, pose: Option<(Path, f64)>) -> Result<usize, RenderError> {
-        let is_it = |uploaded: &UploadedMesh| {
-            Arc::ptr_eq(&uploaded.source, &sitter.mesh) && same(uploaded.surface.as_ref(), sitter.surface.as_ref())
-        };
+        let is_it = |uploaded: &UploadedMesh| (&uploaded.source, &uploaded.surface) == (&sitter.mesh, &sitter.surface);
         // One that shows another surface is given this one, unless this very picture shows both.
         let is_like_it = |uploaded: &UploadedMesh| {
-            Arc::ptr_eq(&uploaded.source, &sitter.mesh) && sitter.surface.is_some() && uploaded.used < self.shots
+            uploaded.source == sitter.mesh && sitter.surface.is_some() && uploaded.used < self.shots
         };
         let index = match self.meshes.iter().position(is_it) {
             Some(index) => index,
@@ -271,7 +256,7 @@ impl Painter {
                 if let Some(surface) = &sitter.surface {
                     self.renderer.attach(&mut mesh, surface)?;
                 }
-                let (source, surface) = (Arc::clone(&sitter.mesh), sitter.surface.clone());
+                let (source, surface) = (sitter.mesh.clone(), sitter.surface.clone());
                 self.meshes.push(UploadedMesh { source, surface, mesh, pose: None, used: self.shots });
                 self.meshes.len() - 1
             }
@@ -294,15 +279,13 @@ impl Painter {
         Ok(index)
     }
 
-    fn map(&mut self, map: &Arc<HatchMap>) -> usize {
-        let index = match self.maps.iter().position(|(uploaded, _)| Arc::ptr_eq(&uploaded.source, map)) {
-            Some(index) => index,
-            None => {
-                self.maps.push((self.renderer.map(Arc::clone(map)), 0));
-                self.maps.len() - 1
-            }
-        };
-        self.maps[index].1 = self.shots;
+    fn map(&mut self, map: &Named<HatchMap>) -> usize {
+        let index = self.maps.iter().position(|uploaded| uploaded.source == *map).unwrap_or_else(|| {
+            let (source, uploaded) = (map.clone(), self.renderer.map(Arc::clone(map.shared())));
+            self.maps.push(UploadedMap { source, map: uploaded, used: 0 });
+            self.maps.len() - 1
+        });
+        self.maps[index].used = self.shots;
         index
     }
 
@@ -310,7 +293,7 @@ impl Painter {
     fn make_room(&mut self) {
         let now = self.shots;
         make_room(&mut self.meshes, now, |kept| (kept.used, kept.mesh.bytes()));
-        make_room(&mut self.maps, now, |(map, used)| (*used, map.bytes()));
+        make_room(&mut self.maps, now, |kept| (kept.used, kept.map.bytes()));
     }
 }
 
@@ -323,9 +306,9 @@ fn bands_of(height: u32, bands: u32) -> Vec<Range<u32>> {
 }
 
 /// Number of a map among others, put behind them where it is none of them.
-fn number_of(maps: &mut Vec<Arc<HatchMap>>, map: &Arc<HatchMap>) -> usize {
-    maps.iter().position(|known| Arc::ptr_eq(known, map)).unwrap_or_else(|| {
-        maps.push(Arc::clone(map));
+fn number_of(maps: &mut Vec<Named<HatchMap>>, map: &Named<HatchMap>) -> usize {
+    maps.iter().position(|known| known == map).unwrap_or_else(|| {
+        maps.push(map.clone());
         maps.len() - 1
     })
 }
@@ -363,7 +346,7 @@ mod tests {
     }
 
     fn shot(samples: u32) -> Shot {
-        let mesh = Arc::new(prepare(Sample::Teapot.build(3000)).expect("a mesh").mesh);
+        let mesh = Named::mesh(prepare(Sample::Teapot.build(3000)).expect("a mesh").mesh);
         let mut preset = tam_gen::Preset::default();
         (preset.map.size, preset.map.coarsest) = (64, 32);
         let map = HatchMap::from_preset("", &preset, &tam_gen::Job::default()).expect("a map");
@@ -375,7 +358,7 @@ mod tests {
         let mut scene = Scene::default();
         let points: Vec<_> = mesh.positions.iter().map(|position| position.as_dvec3()).collect();
         scene.camera.frame_points(&points, 1.0, 0.08);
-        let sitter = Sitter::plain(params, mesh, Arc::new(map), [0.1; 3]);
+        let sitter = Sitter::plain(params, mesh, Named::map(map), [0.1; 3]);
         let side = Side { sitters: vec![sitter], paper: [0.9; 3] };
         let (size_px, sides) = ([211, 315], vec![side]);
         Shot { size_px, for_height: 315, samples, scene, pose: None, sides, split: 1.0, chosen: 0 }

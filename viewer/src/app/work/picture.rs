@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use tam_gen::Job;
 
 use super::canvases::Canvas;
+use super::named::Named;
 use super::painter::{Painted, Painter, Shot};
 use super::thumbnails::{ThumbnailRequest, Thumbnails};
 use super::worker::{Manner, Wake, Worker};
@@ -29,9 +30,9 @@ pub struct Shown {
     /// As it was drawn, going round where that plays.
     pub camera: Camera,
     /// The map that it was drawn with, on the side of the document.
-    pub map: Option<Arc<HatchMap>>,
+    pub map: Option<Named<HatchMap>>,
     /// The surface by which strokes lay on that side; none where the mapping takes none, or it is still to be made.
-    pub surface: Option<Arc<Surface>>,
+    pub surface: Option<Named<Surface>>,
     /// Whether it is coarser than what is looked at, as another follows at once.
     passing: bool,
     /// Per pixel.

@@ -56,6 +56,6 @@ impl Results {
     /// The report of the map that is shown, unless that is newer.
     pub fn current_report(&self) -> Option<&Report> {
         let (of, report) = self.report.as_ref()?;
-        self.map.as_ref().is_some_and(|map| Arc::ptr_eq(map, of)).then_some(report)
+        self.map.as_ref().is_some_and(|map| map.hatch == of.hatch).then_some(report)
     }
 }

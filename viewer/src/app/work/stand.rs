@@ -1,7 +1,6 @@
 //! A device of its own on which ways to draw are timed and drawn, apart from the view's.
 
-use std::sync::Arc;
-
+use super::named::Named;
 use crate::chart::Setting;
 use crate::gpu::{Gpu, GpuError, GpuMesh, GpuOptions, PixelFormat, Target};
 use crate::mesh::Mesh;
@@ -16,8 +15,8 @@ pub(super) struct Stand {
 }
 
 struct Laid {
-    source: Arc<Mesh>,
-    surface: Option<Arc<Surface>>,
+    source: Named<Mesh>,
+    surface: Option<Named<Surface>>,
     mesh: GpuMesh,
     target: Target,
 }
@@ -38,18 +37,12 @@ impl Stand {
     /// floats, so that small changes are not lost in steps of their own.
     pub(super) fn with(
         &mut self,
-        mesh: &Arc<Mesh>,
-        surface: Option<&Arc<Surface>>,
+        mesh: &Named<Mesh>,
+        surface: Option<&Named<Surface>>,
         size_px: [u32; 2],
     ) -> Result<(&mut Renderer, Setting<'_>), RenderError> {
         let Self { renderer, timer, laid } = self;
-        let same = |laid: &Laid| {
-            let surfaces = match (&laid.surface, surface) {
-                (Some(own), Some(wanted)) => Arc::ptr_eq(own, wanted),
-                (own, wanted) => own.is_none() && wanted.is_none(),
-            };
-            surfaces && Arc::ptr_eq(&laid.source, mesh) && laid.target.size == size_px
-        };
+        let same = |laid: &Laid| (&laid.source, laid.surface.as_ref(), laid.target.size) == (mesh, surface, size_px);
         let kept = laid.take().filter(same);
         let laid = match kept {
             Some(kept) => laid.insert(kept),
@@ -59,7 +52,7 @@ impl Stand {
                     renderer.attach(&mut uploaded, surface)?;
                 }
                 let target = renderer.target(size_px, 1, PixelFormat::Linear16)?;
-                let (source, surface) = (Arc::clone(mesh), surface.cloned());
+                let (source, surface) = (mesh.clone(), surface.cloned());
                 laid.insert(Laid { source, surface, mesh: uploaded, target })
             }
         };

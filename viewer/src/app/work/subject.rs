@@ -1,9 +1,8 @@
 //! What ways to draw are measured on: the open scene, with its mesh and its map.
 
-use std::sync::Arc;
-
 use tam_gen::Preset;
 
+use super::named::Named;
 use super::results::Results;
 use super::surface::MadeSurface;
 use crate::app::state::{Look, State, colours_of};
@@ -17,7 +16,7 @@ use crate::{RenderParams, Scene};
 #[derive(Clone, Debug)]
 pub(super) struct Subject {
     /// As it was loaded.
-    pub mesh: Arc<Mesh>,
+    pub mesh: Named<Mesh>,
     /// With the colours of paper and ink.
     pub scene: Scene,
     /// Of the pictures.
@@ -25,7 +24,7 @@ pub(super) struct Subject {
     /// Of the map.
     pub name: String,
     pub preset: Preset,
-    pub map: Arc<HatchMap>,
+    pub map: Named<HatchMap>,
     /// What all ways have in common; its method, mapping and form are only one of them.
     pub look: Look,
 }
@@ -33,7 +32,7 @@ pub(super) struct Subject {
 impl PartialEq for Subject {
     fn eq(&self, other: &Self) -> bool {
         // The map follows from its preset, whether or not finer columns were made of it since.
-        Arc::ptr_eq(&self.mesh, &other.mesh)
+        self.mesh == other.mesh
             && (&self.scene, self.size_px, &self.name, &self.preset)
                 == (&other.scene, other.size_px, &other.name, &other.preset)
             && common(&self.look) == common(&other.look)
@@ -49,7 +48,7 @@ fn common(look: &Look) -> Look {
 
 /// How strokes are drawn, without lines and colours over them.
 pub(super) fn bare(params: &RenderParams) -> RenderParams {
-    RenderParams { silhouettes: None, wireframe: None, debug: None, ..*params }
+    RenderParams { silhouettes: None, ..*params }
 }
 
 impl Subject {
@@ -65,12 +64,12 @@ impl Subject {
         let mut scene = scene.clone();
         (scene.paper, scene.ink) = colours_of(&document.preset);
         Some(Self {
-            mesh: Arc::clone(&mesh.mesh),
+            mesh: mesh.mesh.clone(),
             scene,
             size_px: shrunk(view_px, most_px),
             name: state.preset_name(),
             preset: document.preset.clone(),
-            map: Arc::clone(&map.hatch),
+            map: map.hatch.clone(),
             look: document.look.fitted(&mesh.mesh),
         })
     }
@@ -98,7 +97,7 @@ impl Subject {
 
     /// A surface with these options among those that were made.
     pub(super) fn made<'a>(&self, options: &SurfaceOptions, made: &'a [MadeSurface]) -> Option<&'a MadeSurface> {
-        made.iter().find(|made| Arc::ptr_eq(&made.request.mesh, &self.mesh) && made.request.options == *options)
+        made.iter().find(|made| made.request.mesh == self.mesh && made.request.options == *options)
     }
 }
 
@@ -132,11 +131,11 @@ pub(super) mod tests {
         let look = Look::default().fitted(&mesh);
         Subject {
             scene: Scene::of(&mesh),
-            mesh: Arc::new(mesh),
+            mesh: Named::mesh(mesh),
             size_px: [96, 64],
             name: "test".into(),
             preset,
-            map: Arc::new(map),
+            map: Named::map(map),
             look,
         }
     }
@@ -154,7 +153,7 @@ pub(super) mod tests {
             |subject| subject.scene.camera.azimuth_deg += 1.0,
             |subject| subject.scene.lights.ambient += 0.1,
             |subject| subject.preset.stroke.width_px += 1.0,
-            |subject| subject.mesh = Arc::new((*subject.mesh).clone()),
+            |subject| subject.mesh = subject.mesh.cut(subject.mesh.subdivided(0.1)),
         ] {
             let mut other = subject.clone();
             change(&mut other);

@@ -5,29 +5,24 @@ use std::time::Duration;
 
 use tam_gen::Job;
 
+use super::named::Named;
 use super::worker::{Manner, Wake, Worker};
 use crate::mesh::Mesh;
 use crate::surface::{FieldOptions, Surface, SurfaceBase, SurfaceError, SurfaceOptions};
 
 /// A surface is for one mesh and one set of options.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct SurfaceRequest {
-    pub mesh: Arc<Mesh>,
+    pub mesh: Named<Mesh>,
     pub options: SurfaceOptions,
-}
-
-impl PartialEq for SurfaceRequest {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.mesh, &other.mesh) && self.options == other.options
-    }
 }
 
 /// A mesh, cut finer where its patches need it, and its surface.
 #[derive(Clone, Debug)]
 pub(super) struct MadeSurface {
     pub request: SurfaceRequest,
-    pub mesh: Arc<Mesh>,
-    pub surface: Arc<Surface>,
+    pub mesh: Named<Mesh>,
+    pub surface: Named<Surface>,
 }
 
 pub(super) enum SurfaceReply {
@@ -75,9 +70,9 @@ pub(super) struct Bases {
 
 struct Base {
     /// As it was loaded.
-    of: Arc<Mesh>,
+    of: Named<Mesh>,
     /// As it was cut.
-    mesh: Arc<Mesh>,
+    mesh: Named<Mesh>,
     field: FieldOptions,
     base: SurfaceBase,
 }
@@ -89,18 +84,17 @@ impl Bases {
     /// Makes a surface.
     pub(super) fn surface(&mut self, request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
         let SurfaceRequest { mesh: of, options } = &request;
-        let mut mesh = options.cut(of).map_or_else(|| Arc::clone(of), Arc::new);
+        let mut mesh = options.cut(of).map_or_else(|| of.clone(), |finer| of.cut(finer));
         // What is cut at the same places is the same mesh.
-        let same = |kept: &&Base| Arc::ptr_eq(&kept.of, of) && kept.mesh.midpoints == mesh.midpoints;
-        if let Some(kept) = self.kept.iter().find(same) {
-            mesh = Arc::clone(&kept.mesh);
+        if let Some(kept) = self.kept.iter().find(|kept| kept.mesh == mesh) {
+            mesh = kept.mesh.clone();
         }
-        let is_it = |kept: &Base| Arc::ptr_eq(&kept.mesh, &mesh) && kept.field == options.field;
+        let is_it = |kept: &Base| kept.mesh == mesh && kept.field == options.field;
         let kept = match self.kept.iter().position(is_it) {
-            Some(index) => self.kept.remove(index),
+            Some(index) => Base { of: of.clone(), ..self.kept.remove(index) },
             None => Base {
-                of: Arc::clone(of),
-                mesh: Arc::clone(&mesh),
+                of: of.clone(),
+                mesh: mesh.clone(),
                 field: options.field.clone(),
                 base: SurfaceBase::new(&mesh, &options.field, job)?,
             },
@@ -108,14 +102,14 @@ impl Bases {
         let base = kept.base.clone();
         self.kept.push(kept);
         self.make_room();
-        let surface = Arc::new(Surface::on(&base, &mesh, options, job)?);
+        let surface = Named::surface(&mesh, options, Surface::on(&base, &mesh, options, job)?);
         Ok(MadeSurface { request, mesh, surface })
     }
 
     /// Drops what was used longest ago, and what nobody else has any more.
     fn make_room(&mut self) {
         let last = self.kept.pop();
-        self.kept.retain(|kept| Arc::strong_count(&kept.of) > 1);
+        self.kept.retain(|kept| Arc::strong_count(kept.of.shared()) > 1);
         self.kept.extend(last);
         let mut vertices: usize = self.kept.iter().map(|kept| kept.mesh.positions.len()).sum();
         while vertices > KEPT_VERTICES && self.kept.len() > 1 {
@@ -133,26 +127,26 @@ mod tests {
 
     #[test]
     fn other_tiles_keep_mesh_graph_and_field_and_give_the_same_patches_as_alone() {
-        let mesh = Arc::new(prepare(Sample::Sphere.build(20_000)).expect("a mesh").mesh);
+        let mesh = Named::mesh(prepare(Sample::Sphere.build(20_000)).expect("a mesh").mesh);
         let mut bases = Bases::default();
         let request = |tiles_per_unit, source| {
             let patches = Some(PatchOptions { tiles_per_unit, ..PatchOptions::default() });
             let field = FieldOptions { source, ..FieldOptions::default() };
             let options = SurfaceOptions { field, patches, ..SurfaceOptions::default() };
-            SurfaceRequest { mesh: Arc::clone(&mesh), options }
+            SurfaceRequest { mesh: mesh.clone(), options }
         };
         let mut made =
             |tiles, source| bases.surface(request(tiles, source), &Job::default()).expect("a surface of the ball");
         let first = made(0.8, FieldSource::Curvature);
         let other = made(0.9, FieldSource::Curvature);
-        assert!(Arc::ptr_eq(&first.mesh, &other.mesh) && Arc::ptr_eq(&first.surface.field, &other.surface.field));
+        assert!(first.mesh == other.mesh && Arc::ptr_eq(&first.surface.field, &other.surface.field));
         assert!(Arc::ptr_eq(&first.surface.graph, &other.surface.graph));
         let alone = Bases::default().surface(other.request.clone(), &Job::default()).expect("the same again");
         let entries = |made: &MadeSurface| made.surface.patches.as_ref().map(|patches| patches.entries.clone());
         assert!(entries(&other) == entries(&alone) && entries(&other) != entries(&first));
         let turned = made(0.8, FieldSource::LowerCurvature);
-        assert!(Arc::ptr_eq(&first.mesh, &turned.mesh) && !Arc::ptr_eq(&first.surface.field, &turned.surface.field));
+        assert!(first.mesh == turned.mesh && !Arc::ptr_eq(&first.surface.field, &turned.surface.field));
         // As fine as ten times as many tiles need it, it is another mesh.
-        assert!(!Arc::ptr_eq(&first.mesh, &made(10.0, FieldSource::Curvature).mesh));
+        assert!(first.mesh != made(10.0, FieldSource::Curvature).mesh);
     }
 }

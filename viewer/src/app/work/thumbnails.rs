@@ -1,11 +1,10 @@
 //! Small pictures: presets on a ball, meshes in grey.
 
-use std::sync::Arc;
-
 use tam_gen::{Job, Preset};
 
 use super::super::state::{MeshSource, colours_of};
 use super::canvases::Canvas;
+use super::named::Named;
 use super::painter::{Painter, Shot, Side, Sitter};
 use crate::maps::HatchMap;
 use crate::mesh::sample::Sample;
@@ -41,8 +40,8 @@ pub(super) enum Subject {
 /// What all thumbnails share.
 #[derive(Default)]
 pub(super) struct Thumbnails {
-    ball: Option<(Arc<Mesh>, Arc<Surface>)>,
-    plain: Option<Arc<HatchMap>>,
+    ball: Option<(Named<Mesh>, Named<Surface>)>,
+    plain: Option<Named<HatchMap>>,
 }
 
 impl Thumbnails {
@@ -83,10 +82,10 @@ impl Thumbnails {
         if self.ball.is_none() {
             let mesh = prepare(Sample::Sphere.build(TRIANGLES)).ok()?.mesh;
             let options = PatchOptions { tiles_per_unit: 1.0, ..PatchOptions::default() };
-            let mesh = mesh.subdivided(options.longest_edge() as f32);
+            let mesh = Named::mesh(mesh.subdivided(options.longest_edge() as f32));
             let options = SurfaceOptions { patches: Some(options), ..SurfaceOptions::default() };
-            let surface = Surface::new(&mesh, &options).ok()?;
-            self.ball = Some((Arc::new(mesh), Arc::new(surface)));
+            let surface = Named::surface(&mesh, &options, Surface::new(&mesh, &options).ok()?);
+            self.ball = Some((mesh, surface));
         }
         let (mesh, surface) = self.ball.clone()?;
         let params = RenderParams {
@@ -97,7 +96,7 @@ impl Thumbnails {
             ..RenderParams::default()
         };
         let (paper, ink) = colours_of(preset);
-        let sitter = Sitter { surface: Some(surface), ..Sitter::plain(params, mesh, Arc::new(map), ink) };
+        let sitter = Sitter { surface: Some(surface), ..Sitter::plain(params, mesh, Named::map(map), ink) };
         Some(Side { sitters: vec![sitter], paper })
     }
 
@@ -108,12 +107,12 @@ impl Thumbnails {
             MeshSource::File(path) => load(path).ok()?.mesh,
         };
         let map = match &self.plain {
-            Some(map) => Arc::clone(map),
+            Some(map) => map.clone(),
             None => {
                 let mut preset = Preset::default();
                 (preset.map.size, preset.map.coarsest) = (64, 32);
-                let map = Arc::new(HatchMap::from_preset("", &preset, &Job::default()).ok()?);
-                self.plain = Some(Arc::clone(&map));
+                let map = Named::map(HatchMap::from_preset("", &preset, &Job::default()).ok()?);
+                self.plain = Some(map.clone());
                 map
             }
         };
@@ -122,7 +121,7 @@ impl Thumbnails {
             silhouettes: Some(Silhouettes { width_px: 1.2, ..Silhouettes::default() }),
             ..RenderParams::default()
         };
-        let sitter = Sitter::plain(params, Arc::new(mesh), map, [0.05, 0.05, 0.06]);
+        let sitter = Sitter::plain(params, Named::mesh(mesh), map, [0.05, 0.05, 0.06]);
         Some(Side { sitters: vec![sitter], paper: [0.9, 0.89, 0.87] })
     }
 }

@@ -8,12 +8,12 @@ use crate::app::actions::{debug_label, mapping_label, method_label};
 use crate::app::command::Command;
 use crate::app::state::{Compare, Look, Motion, PresetSource, Tool};
 use crate::params::DebugView;
-use crate::{Mapping, Method};
+use crate::{Inspect, Mapping, Method};
 
 /// Methods and mappings as switches, and what else is at hand.
 pub(super) fn toolbar(panel: &mut Panel<'_>, ui: &mut Ui) {
     let look = &panel.state.document.look;
-    let params = look.params;
+    let (params, inspect) = (look.params, panel.state.document.inspect);
     let mut asked = Vec::new();
     let mut set = |change: &dyn Fn(&mut crate::RenderParams)| {
         let mut look: Look = look.clone();
@@ -41,16 +41,16 @@ pub(super) fn toolbar(panel: &mut Panel<'_>, ui: &mut Ui) {
             });
             named(shown.response, "Mapping").on_hover_text("How strokes lie on the surface");
         });
-        let debug = params.debug.map_or("Inspect", debug_label);
-        let combo = egui::ComboBox::from_id_salt("inspect").selected_text(debug).width(96.0);
+        let combo = egui::ComboBox::from_id_salt("inspect");
+        let combo = combo.selected_text(inspect.debug.map_or("Inspect", debug_label)).width(96.0);
         let shown = combo.show_ui(ui, |ui| {
-            if ui.selectable_label(params.debug.is_none(), "The picture").clicked() {
-                set(&|params| params.debug = None);
+            if ui.selectable_label(inspect.debug.is_none(), "The picture").clicked() {
+                panel.ask(Command::SetInspect(Inspect { debug: None, ..inspect }));
             }
             for view in DebugView::ALL {
-                let entry = ui.selectable_label(params.debug == Some(view), debug_label(view));
+                let entry = ui.selectable_label(inspect.debug == Some(view), debug_label(view));
                 if entry.on_hover_text(view.description()).clicked() {
-                    set(&|params| params.debug = Some(view));
+                    panel.ask(Command::SetInspect(Inspect { debug: Some(view), ..inspect }));
                 }
             }
         });
@@ -68,11 +68,9 @@ pub(super) fn toolbar(panel: &mut Panel<'_>, ui: &mut Ui) {
         if button.on_hover_text("Draw strokes on the mesh that the others follow (G)").clicked() {
             panel.ask(Command::SetTool(if guiding { Tool::Navigate } else { Tool::Guide }));
         }
-        let wired = params.wireframe.is_some();
+        let wired = inspect.wireframe.is_some();
         if ui.selectable_label(wired, "Wires").on_hover_text("Show the triangles' edges (W)").clicked() {
-            let mut look = panel.state.document.look.clone();
-            look.params.wireframe = (!wired).then_some(1.0);
-            panel.ask(Command::SetLook(Box::new(look)));
+            panel.ask(Command::SetInspect(Inspect { wireframe: (!wired).then_some(1.0), ..inspect }));
         }
         if ui.button("Whole").on_hover_text("Show the whole mesh (F)").clicked() {
             panel.ask(Command::FrameMesh);

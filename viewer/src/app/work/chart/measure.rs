@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use tam_gen::Job;
 
+use super::super::named::Named;
 use super::super::stand::{Stand, is_lost};
 use super::super::subject::Subject;
 use super::super::surface::{MadeSurface, SurfaceRequest, make_surface};
@@ -99,8 +100,8 @@ struct Lab {
 struct Bench {
     number: u64,
     options: Option<SurfaceOptions>,
-    mesh: Arc<Mesh>,
-    surface: Option<Arc<Surface>>,
+    mesh: Named<Mesh>,
+    surface: Option<Named<Surface>>,
     maps: Maps,
     views: Views,
     drawn: Vec<(Way, Picture)>,
@@ -171,13 +172,13 @@ impl Lab {
         let single = HatchMap::from_preset(&subject.name, &one_family(&subject.preset), &quiet)
             .map_err(|error| if job.cancelled() { NotReady::Cancelled } else { words(&error) })?;
         let choice = MapChoice { size: subject.preset.map.size, tones: subject.map.grid.columns() as u32 };
-        let maps = Maps { choice, whole: Arc::clone(&subject.map), single: Arc::new(single) };
+        let maps = Maps { choice, whole: Arc::clone(subject.map.shared()), single: Arc::new(single) };
         let strokes = surface.map(|surface| Strokes { graph: &surface.graph, field: &surface.field });
         let views = Views::new(mesh, &subject.scene, subject.size_px, strokes).map_err(|error| words(&error))?;
         self.bench = Some(Bench {
             number,
             options: group.options.clone(),
-            mesh: Arc::clone(mesh),
+            mesh: mesh.clone(),
             surface: surface.cloned(),
             maps,
             views,
@@ -201,7 +202,7 @@ impl Lab {
         if let Some(made) = subject.made(options, self.made.as_slice()) {
             return Ok(made.clone());
         }
-        let request = SurfaceRequest { mesh: Arc::clone(&subject.mesh), options: options.clone() };
+        let request = SurfaceRequest { mesh: subject.mesh.clone(), options: options.clone() };
         let made = make_surface(request, job).map_err(|error| match error {
             SurfaceError::Cancelled => NotReady::Cancelled,
             error => NotReady::Failed(format!("strokes cannot follow this mesh: {error}")),

@@ -83,8 +83,8 @@ fn expense(params: &RenderParams) -> u32 {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
-    use std::sync::Arc;
 
+    use super::super::super::named::Named;
     use super::super::super::subject::tests::cube;
     use super::*;
 
@@ -116,12 +116,12 @@ mod tests {
         assert!(has(&subject, false, "uv") && !has(&subject, false, "lapped") && has(&subject, true, "lapped"));
         let mut mesh = (*subject.mesh).clone();
         mesh.uvs.clear();
-        subject.mesh = Arc::new(mesh.clone());
+        subject.mesh = Named::mesh(mesh.clone());
         assert!(!has(&subject, false, "uv"));
         subject.look.params.follow = Follow::Light;
         assert!(has(&subject, false, "patches") && !has(&subject, false, "varied"));
         mesh.triangles = vec![[0; 3]; SURFACE_TRIANGLES + 1];
-        subject.mesh = Arc::new(mesh);
+        subject.mesh = Named::mesh(mesh);
         for word in ["patches", "stripes", "lapped"] {
             assert!(!has(&subject, true, word), "{word}");
         }

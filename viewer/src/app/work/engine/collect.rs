@@ -112,7 +112,7 @@ impl Engine {
         }
         for made in self.measuring.collect(results) {
             // What was made for a mesh that is still there saves the view from making it again.
-            if results.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(&mesh.mesh, &made.request.mesh)) {
+            if results.mesh.as_ref().is_some_and(|mesh| mesh.mesh == made.request.mesh) {
                 keep(&mut self.made, made, room);
             }
         }

@@ -1,9 +1,8 @@
 //! How far the camera has to be when it goes around what is seen.
 
-use std::sync::Arc;
-
 use glam::DMat4;
 
+use super::super::named::Named;
 use crate::Camera;
 use crate::mesh::Mesh;
 use crate::turntable::swept;
@@ -19,7 +18,7 @@ pub(super) struct Round {
 }
 
 /// A mesh, and where it stands.
-type Placed = (Arc<Mesh>, DMat4);
+type Placed = (Named<Mesh>, DMat4);
 
 /// What distances depend on.
 struct Asked {
@@ -65,9 +64,7 @@ impl Round {
 
 impl PartialEq for Asked {
     fn eq(&self, other: &Self) -> bool {
-        let same = |((own, at), (other, other_at)): (&Placed, &Placed)| Arc::ptr_eq(own, other) && at == other_at;
-        self.placed.len() == other.placed.len()
-            && self.placed.iter().zip(&other.placed).all(same)
+        self.placed == other.placed
             && (self.camera, self.view_px, self.frame_px) == (other.camera, other.view_px, other.frame_px)
     }
 }
@@ -98,8 +95,8 @@ mod tests {
 
     const VIEW_PX: [u32; 2] = [840, 520];
 
-    fn mesh(sample: Sample) -> Arc<Mesh> {
-        Arc::new(prepare(sample.build(sample.least_triangles().max(2_000))).expect("a mesh").mesh)
+    fn mesh(sample: Sample) -> Named<Mesh> {
+        Named::mesh(prepare(sample.build(sample.least_triangles().max(2_000))).expect("a mesh").mesh)
     }
 
     fn framed(mesh: &Mesh, elevation_deg: f64) -> Camera {
@@ -129,7 +126,7 @@ mod tests {
             for elevation_deg in [-90.0, 0.0, 18.0, 60.0] {
                 let camera = framed(&mesh, elevation_deg);
                 for frame_px in [VIEW_PX, [512, 512]] {
-                    let placed = [(Arc::clone(&mesh), DMat4::IDENTITY)];
+                    let placed = [(mesh.clone(), DMat4::IDENTITY)];
                     let distance = Round::default().distance(&camera, &placed, VIEW_PX, frame_px);
                     assert!(distance >= camera.distance);
                     let out = outermost(&mesh, Camera { distance, ..camera }, frame_px);
@@ -151,7 +148,7 @@ mod tests {
         let camera = framed(&mesh, 18.0);
         let mut of = |share: f64| {
             let nearer = Camera { distance: camera.distance * share, ..camera };
-            round.distance(&nearer, &[(Arc::clone(&mesh), DMat4::IDENTITY)], VIEW_PX, VIEW_PX) / camera.distance
+            round.distance(&nearer, &[(mesh.clone(), DMat4::IDENTITY)], VIEW_PX, VIEW_PX) / camera.distance
         };
         let (whole, near, far) = (of(1.0), of(0.25), of(3.0));
         assert!(whole > 1.0 && (near - whole * 0.25).abs() < 1e-9 && far == 3.0, "{whole} {near} {far}");

@@ -7,6 +7,7 @@ use tam_gen::Preset;
 
 use super::super::map::MadeMap;
 use super::super::mesh::LoadedMesh;
+use super::super::named::Named;
 use super::super::painter::{Shot, Side, Sitter};
 use super::super::results::Results;
 use super::super::surface::{MadeSurface, SurfaceRequest};
@@ -22,7 +23,7 @@ use crate::{Mapping, Method, Scene};
 pub(super) struct Wanted<'s> {
     /// Number of the object.
     pub object: usize,
-    pub mesh: Arc<Mesh>,
+    pub mesh: Named<Mesh>,
     /// As far as the mesh allows.
     pub look: Look,
     pub world_from_mesh: DMat4,
@@ -37,15 +38,15 @@ impl Wanted<'_> {
     /// What has to be made of the surface before it can be drawn; `None`: nothing.
     pub(super) fn surface(&self, lights: &Lights) -> Option<SurfaceRequest> {
         let options = self.look.surface_options(lights, self.world_from_mesh)?;
-        Some(SurfaceRequest { mesh: Arc::clone(&self.mesh), options })
+        Some(SurfaceRequest { mesh: self.mesh.clone(), options })
     }
 }
 
 /// Parts that are drawn apart from the rest of their mesh.
 pub(super) struct Cut {
-    whole: Arc<Mesh>,
+    whole: Named<Mesh>,
     parts: Vec<usize>,
-    mesh: Arc<Mesh>,
+    mesh: Named<Mesh>,
 }
 
 impl Engine {
@@ -78,10 +79,11 @@ impl Engine {
             sides.push(Side { sitters: sitters?, paper });
             split = compare.split;
         }
-        let mut scene = Scene { camera: state.camera, lights: document.lights.clone(), ..Scene::default() };
+        let (camera, lights) = (state.camera, document.lights.clone());
+        let mut scene = Scene { camera, lights, inspect: document.inspect, ..Scene::default() };
         if motion == Some(Motion::Orbit) {
-            let placed: Vec<(Arc<Mesh>, DMat4)> =
-                wanted.iter().map(|wanted| (Arc::clone(&wanted.mesh), wanted.world_from_mesh)).collect();
+            let placed: Vec<(Named<Mesh>, DMat4)> =
+                wanted.iter().map(|wanted| (wanted.mesh.clone(), wanted.world_from_mesh)).collect();
             scene.camera.distance = self.round.distance(&scene.camera, &placed, self.view_px, size_px);
         }
         let pose = motion.map(|motion| (path_of(motion), state.transient.phase));
@@ -120,7 +122,7 @@ impl Engine {
         look: &Look,
         preset: &'s Preset,
         state: &'s State,
-        mesh: &Arc<Mesh>,
+        mesh: &Named<Mesh>,
         all: &mut Vec<Wanted<'s>>,
     ) {
         // Parts that the mesh has not are told of where it is loaded.
@@ -140,7 +142,7 @@ impl Engine {
                 material
             };
             let materials = piece.parts.iter().zip(&piece.looks).map(material).collect();
-            let mesh = if whole { Arc::clone(mesh) } else { self.cut(mesh, &piece.parts) };
+            let mesh = if whole { mesh.clone() } else { self.cut(mesh, &piece.parts) };
             all.push(Wanted {
                 object: index,
                 look: look.with(&piece.look, !mesh.uvs.is_empty()).fitted(&mesh),
@@ -154,23 +156,23 @@ impl Engine {
     }
 
     /// Some parts of a mesh, cut out of it once.
-    fn cut(&mut self, whole: &Arc<Mesh>, parts: &[usize]) -> Arc<Mesh> {
-        let known = self.cuts.iter().find(|cut| Arc::ptr_eq(&cut.whole, whole) && cut.parts == parts);
+    fn cut(&mut self, whole: &Named<Mesh>, parts: &[usize]) -> Named<Mesh> {
+        let known = self.cuts.iter().find(|cut| cut.whole == *whole && cut.parts == parts);
         if let Some(known) = known {
-            return Arc::clone(&known.mesh);
+            return known.mesh.clone();
         }
-        let mesh = Arc::new(whole.only(parts));
-        self.cuts.push(Cut { whole: Arc::clone(whole), parts: parts.to_vec(), mesh: Arc::clone(&mesh) });
+        let mesh = whole.only(parts);
+        self.cuts.push(Cut { whole: whole.clone(), parts: parts.to_vec(), mesh: mesh.clone() });
         mesh
     }
 
     /// Forgets what was cut out of meshes that are gone.
     pub(super) fn forget_cuts(&mut self, meshes: &[Arc<LoadedMesh>]) {
-        self.cuts.retain(|cut| meshes.iter().any(|loaded| Arc::ptr_eq(&loaded.mesh, &cut.whole)));
+        self.cuts.retain(|cut| meshes.iter().any(|loaded| loaded.mesh == cut.whole));
         let Self { made, cuts, .. } = self;
-        let is_there = |mesh: &Arc<Mesh>| {
-            let loaded = meshes.iter().any(|loaded| Arc::ptr_eq(&loaded.mesh, mesh));
-            loaded || cuts.iter().any(|cut| Arc::ptr_eq(&cut.mesh, mesh))
+        let is_there = |mesh: &Named<Mesh>| {
+            let loaded = meshes.iter().any(|loaded| loaded.mesh == *mesh);
+            loaded || cuts.iter().any(|cut| cut.mesh == *mesh)
         };
         made.retain(|made| is_there(&made.request.mesh));
     }
@@ -184,12 +186,12 @@ impl Engine {
     /// How it is drawn with the surface that is there: that of an older choice until the new one is made, and three planes
     /// until there is any. `None` while its map is still to be made.
     fn sitter(&self, wanted: &Wanted<'_>, state: &State, results: &Results) -> Option<Sitter> {
-        let maps = wanted.presets.iter().map(|preset| Some(Arc::clone(&self.map_of(preset, state, results)?.hatch)));
+        let maps = wanted.presets.iter().map(|preset| Some(self.map_of(preset, state, results)?.hatch.clone()));
         let maps = maps.collect::<Option<Vec<_>>>()?;
         let ink = wanted.ink.unwrap_or_else(|| colours_of(wanted.presets[0]).1);
-        let sitter = |params, mesh: &Arc<Mesh>, surface| Sitter {
+        let sitter = |params, mesh: &Named<Mesh>, surface| Sitter {
             params,
-            mesh: Arc::clone(mesh),
+            mesh: mesh.clone(),
             surface,
             maps,
             world_from_mesh: wanted.world_from_mesh,
@@ -201,10 +203,9 @@ impl Engine {
             return Some(sitter(params, &wanted.mesh, None));
         };
         let exact = self.made.iter().find(|made| made.request == request);
-        let serves =
-            |made: &&MadeSurface| Arc::ptr_eq(&made.request.mesh, &request.mesh) && serves(&made.request, &request);
+        let serves = |made: &&MadeSurface| made.request.mesh == request.mesh && serves(&made.request, &request);
         Some(match exact.or_else(|| self.made.iter().rev().find(serves)) {
-            Some(made) => sitter(params, &made.mesh, Some(Arc::clone(&made.surface))),
+            Some(made) => sitter(params, &made.mesh, Some(made.surface.clone())),
             None => {
                 params.mapping = Mapping::Triplanar;
                 if params.method == Method::Stripes {
