@@ -107,6 +107,7 @@ pieces!(
     "mesh",
     "mesh_types",
     "octahedral",
+    "patched",
     "patches",
     "scene",
     "stripes",

@@ -129,12 +129,12 @@ pub struct Material {
     pub cross_from: f32,
     /// How much the strokes of stripes differ, 0..=1.
     pub variety: f32,
+    /// Columns to a darkness of 1 where they are evenly spaced; 0: they are not.
+    pub columns_per_tone: f32,
     /// Fills the record.
     pub _pad_a: f32,
     /// Fills the record.
     pub _pad_b: f32,
-    /// Fills the record.
-    pub _pad_c: f32,
     /// Tone of white (0) and of each column, increasing.
     pub tones: [[f32; 4]; 17],
 }
@@ -200,6 +200,21 @@ impl StripePhases {
     pub fn folded(corners: [f32; 3], sum: i32) -> Self {
         Self { corners, code: sum << 1 | 1 }
     }
+}
+
+/// What a corner of a triangle sees of up to four patches: two of the records `patch_corners` of `lib/patches.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Pod, Zeroable)]
+pub struct PatchCorner {
+    /// Its places on the tile, two 16-bit snorm each, in units of 4 tiles.
+    pub places: [u32; 4],
+    /// How far each stands behind the nearest, two 16-bit unorm to the word, in units of 4 feathers; all that is not there
+    /// stands that far behind.
+    pub behind: [u32; 2],
+    /// The mesh's vertex that stands there.
+    pub vertex: u32,
+    /// Number of the record, behind those of all corners, with the seeds of the four.
+    pub seeds: u32,
 }
 
 /// `PatchEntry` of `lib/patches.wgsl`.

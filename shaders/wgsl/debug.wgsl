@@ -1,6 +1,7 @@
 // What a method works with, in its ink's place: tone, level of detail, columns, direction, adjacency, triangles. Each is a
 // constant of the pipeline and binds no more than the methods do.
 //!include lib/surface.wgsl
+//!include lib/patched.wgsl
 //!include lib/adjacency.wgsl
 //!include lib/colour.wgsl
 //!include lib/strokes.wgsl
@@ -139,13 +140,14 @@ fn form_shade(point: Point) -> f32 {
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
-    return surface_vertex(index);
+fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
+    return patched_vertex(index);
 }
 
 @fragment
 fn fragment(
     in: FragmentIn,
+    patched: PatchedIn,
     @builtin(position) place_px: vec4f,
     @builtin(front_facing) front: bool,
 ) -> @location(0) vec4f {
@@ -168,7 +170,12 @@ fn fragment(
         return vec4f(columns_colour(column_coordinate(d)), 1.0);
     }
     if DEBUG == DEBUG_FRAMES {
-        colour = direction_colour(mapped_direction(point, place, dx, dy, dpdx(in.uv), dpdy(in.uv)), place_px.xy);
+        let overlap = overlap_of(patched);
+        let slopes = OverlapSlopes(
+            dpdx(patched.places_ab), dpdx(patched.places_cd), dpdy(patched.places_ab), dpdy(patched.places_cd));
+        let uv_dx = dpdx(in.uv);
+        let uv_dy = dpdy(in.uv);
+        colour = direction_colour(mapped_direction(point, place, overlap, slopes, dx, dy, uv_dx, uv_dy), place_px.xy);
     }
     if DEBUG == DEBUG_STRIPES {
         colour = direction_colour(stripes_direction(point.face, place), place_px.xy);

@@ -1,22 +1,23 @@
 // Smooth tone from an array of many columns. Webb and others, "Fine tone control in hardware hatching", NPAR 2002, the
 // volume scheme: the tone picks a place among the columns, per fragment, and the two that bracket it are mixed.
 //!include lib/surface.wgsl
+//!include lib/patched.wgsl
 //!include lib/light.wgsl
 //!include lib/columns.wgsl
 //!include lib/blend.wgsl
 
-fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
-    return column_ink(uv, map_level(tiles_per_px), column_coordinate(d));
+fn pattern_ink(uv: vec2f, scale: Scale, d: f32) -> f32 {
+    return column_ink(uv, scale.level, column_coordinate(d));
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
-    return surface_vertex(index);
+fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
+    return patched_vertex(index);
 }
 
 @fragment
-fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+fn fragment(in: FragmentIn, patched: PatchedIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
-    return drawn(surface_ink(point, d));
+    return drawn(surface_ink(point, overlap_of(patched), d));
 }

@@ -2,6 +2,7 @@
 // is computed at the vertices, where the two columns that bracket it get weights; the weights of all six columns are
 // interpolated, the six images, packed in the channels of two, are summed with them, and what is left is white paper.
 //!include lib/surface.wgsl
+//!include lib/patched.wgsl
 //!include lib/light.wgsl
 //!include lib/columns.wgsl
 //!include lib/blend.wgsl
@@ -21,6 +22,10 @@ struct SixWayOut {
 //!end
     @location(4) light: vec3f,
     @location(5) dark: vec3f,
+    @location(6) places_ab: vec4f,
+    @location(7) places_cd: vec4f,
+    @location(8) behind: vec4f,
+    @location(9) @interpolate(flat, first) seeds: vec4u,
 }
 
 struct SixWayIn {
@@ -44,7 +49,7 @@ fn six_ink(uv: vec2f, level: f32, weights: Weights) -> f32 {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
-    let surface = surface_vertex(index);
+    let surface = patched_vertex(index);
     let n = normalize(surface.normal);
     let v = normalize(to_camera(surface.p_world));
     let weights = column_weights(column_coordinate(darkness(reflectance(), surface.p_world, n, v)));
@@ -58,6 +63,10 @@ fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
 //!end
     out.light = weights.light;
     out.dark = weights.dark;
+    out.places_ab = surface.places_ab;
+    out.places_cd = surface.places_cd;
+    out.behind = surface.behind;
+    out.seeds = surface.seeds;
     return out;
 }
 
@@ -69,17 +78,22 @@ fn weighted_tone(weights: Weights) -> f32 {
 }
 
 // Ink at a tone, for patterns that the blend draws at another one than the vertices'.
-fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
-    return six_ink(uv, map_level(tiles_per_px), column_weights(column_coordinate(d)));
+fn pattern_ink(uv: vec2f, scale: Scale, d: f32) -> f32 {
+    return six_ink(uv, scale.level, column_weights(column_coordinate(d)));
 }
 
 @fragment
-fn fragment(in: FragmentIn, six: SixWayIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+fn fragment(
+    in: FragmentIn,
+    six: SixWayIn,
+    patched: PatchedIn,
+    @builtin(front_facing) front: bool,
+) -> @location(0) vec4f {
     let point = surface_point(in, front);
     // Interpolation rounds a little below 0.
     let weights = Weights(max(six.light, vec3f(0.0)), max(six.dark, vec3f(0.0)));
     if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
-        return drawn(surface_ink(point, weighted_tone(weights)));
+        return drawn(surface_ink(point, overlap_of(patched), weighted_tone(weights)));
     }
     let mapped = map_surface(point);
     let level = map_level(mapped.tiles_per_px);

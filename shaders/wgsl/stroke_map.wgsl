@@ -1,6 +1,7 @@
 // One sample and a threshold. Freudenberg, "Real-Time Stroke Textures", SIGGRAPH 2001 sketch: strokes of all tones
 // composited into one channel; or, with PATTERN_LINES, lines whose width follows the tone.
 //!include lib/surface.wgsl
+//!include lib/patched.wgsl
 //!include lib/light.wgsl
 //!include lib/columns.wgsl
 //!include lib/threshold.wgsl
@@ -11,7 +12,7 @@ const PATTERN_STROKES: u32 = 0u;
 const PATTERN_LINES: u32 = 1u;
 override PATTERN: u32 = 0u;
 
-fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
+fn pattern_ink(uv: vec2f, scale: Scale, d: f32) -> f32 {
     if PATTERN == PATTERN_LINES {
         if FORM == FORM_LITERAL {
             let lines = floor(material.size_px / material.line_period_px);
@@ -20,29 +21,29 @@ fn pattern_ink(uv: vec2f, tiles_per_px: f32, d: f32) -> f32 {
         var t_per_px = length(vec2f(dpdx(uv.y), dpdy(uv.y)));
         if MAPPING != MAPPING_UV && MAPPING != MAPPING_TRIPLANAR {
             // Fragments of a quad may lie on different faces.
-            t_per_px = tiles_per_px;
+            t_per_px = scale.tiles_per_px;
         }
         return halftone_ink(uv.y, t_per_px, material.line_period_px, d);
     }
-    let level = map_level(tiles_per_px);
+    let level = scale.level;
     // The threshold, and how much it changes from texel to texel.
     let sampled = textureSampleLevel(map, map_sampler, uv, 0, level).rg;
     if FORM == FORM_LITERAL {
         return threshold_one_sided(d, sampled.r, material.slope);
     }
     let theta = equalised(sampled.r, level);
-    let texels_per_px = tiles_per_px * material.size_px * exp2(-level);
+    let texels_per_px = scale.tiles_per_px * material.size_px * exp2(-level);
     return threshold_centred(d, theta.share, theta.rate * sampled.g * texels_per_px);
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
-    return surface_vertex(index);
+fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
+    return patched_vertex(index);
 }
 
 @fragment
-fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+fn fragment(in: FragmentIn, patched: PatchedIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
-    return drawn(surface_ink(point, d));
+    return drawn(surface_ink(point, overlap_of(patched), d));
 }

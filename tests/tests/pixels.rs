@@ -1,6 +1,7 @@
 //! What an adapter draws is what the twins draw: every method, mapping and form, on a flat square and on a sphere.
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec4};
+use tam_shaders::cpu::lib::columns::columns_per_tone;
 use tam_shaders::cpu::lib::patches::PatchTable;
 use tam_shaders::cpu::{self, MapImage, Options, Sampling, StripeTable};
 use tam_shaders::{Pass, types};
@@ -12,6 +13,7 @@ use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
 use tam_viewer::surface::Patches;
+use tam_viewer::surface::patches::PatchVertices;
 use tam_viewer::{
     Blend, DebugView, FaceFrameForm, Follow, Form, Inspect, Lights, Mapping, Method, Object, Projection, RenderParams,
     Scene,
@@ -120,9 +122,9 @@ fn material(params: &RenderParams, mesh: &Mesh, drawn: &Drawn) -> types::Materia
         distribution_entries: drawn.distribution.first().map_or(0, Vec::len) as f32,
         cross_from: params.cross_from.unwrap_or(1.0) as f32,
         variety: params.variety as f32,
+        columns_per_tone: columns_per_tone(&drawn.tones) as f32,
         _pad_a: 0.0,
         _pad_b: 0.0,
-        _pad_c: 0.0,
         tones,
     }
 }
@@ -165,7 +167,10 @@ fn difference(found: &[[f32; 4]], drawn: &Drawn, scene: &Scene, params: &RenderP
     let follows = surface.as_ref().filter(|_| params.follow == Follow::Light);
     let turns = follows.map_or(Vec::new(), |surface| surface.turns(&shared, scene.world_from_mesh));
     let turns: Vec<DVec4> = turns.iter().map(|turn| Vec4::from(*turn).as_dvec4()).collect();
-    let patches = PatchTable { starts, entries: &entries, rows, seeds, turns: &turns };
+    let vertices = patches.filter(|patches| !patches.lapped);
+    let vertices = vertices.map_or(PatchVertices::default(), |patches| PatchVertices::new(&mesh.triangles, patches));
+    let (corners, corner_indices) = (&vertices.packed(), &vertices.indices);
+    let patches = PatchTable { corners, corner_indices, starts, entries: &entries, rows, seeds, turns: &turns };
     let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
     let stripes = stripes
         .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });

@@ -60,6 +60,7 @@ impl Swatch {
                 rows: &patches.rows,
                 seeds: &seeds,
                 turns: &[],
+                ..PatchTable::default()
             },
         }];
         let lights = Lights { ambient: 1.0 - d, lights: Vec::new() };

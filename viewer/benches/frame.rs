@@ -1,8 +1,8 @@
 //! What a frame costs: every method as a ratio to `phong`, interleaved, over triangles and picture sizes; the forms of
 //! `face-frame` against each other; strokes that follow the form; and what loading and uploading take.
 //!
-//! `cargo bench -p tam-viewer --bench frame -- [--quick] [--triangles N] [--csv FILE]`. Rows are appended to the file as
-//! they are measured, with the adapter's name, median and quartiles. Times are of the device where it has timestamps.
+//! `cargo bench -p tam-viewer --bench frame -- [--quick] [--triangles N] [--only NAME;NAME] [--csv FILE]`. Rows are appended
+//! to the file as they are measured, with the adapter's name, median and quartiles. Times are of the device where it has timestamps.
 #![allow(missing_docs, clippy::print_stdout)]
 
 use std::fmt::Write as _;
@@ -148,19 +148,15 @@ fn main() -> Result<(), Error> {
         return Ok(());
     }
     let quick = args.iter().any(|arg| arg == "--quick");
-    let csv = args.iter().position(|arg| arg == "--csv").and_then(|i| args.get(i + 1));
+    let value = |option: &str| args.iter().position(|arg| arg == option).and_then(|i| args.get(i + 1));
+    let (csv, named) = (value("--csv"), value("--only"));
     let (counts, sizes, rounds): (&[usize], &[u32], usize) = if quick {
         (&[1_000, 50_000], &[512], 5)
     } else {
         (&[1_000, 20_000, 100_000, 500_000, 2_000_000], &[512, 1024], 31)
     };
 
-    let only: Option<usize> = args
-        .iter()
-        .position(|arg| arg == "--triangles")
-        .and_then(|i| args.get(i + 1))
-        .map(|n| n.parse())
-        .transpose()?;
+    let only: Option<usize> = value("--triangles").map(|n| n.parse()).transpose()?;
     // A file of other columns is told before anything is measured.
     if let Some(path) = csv {
         append(path, "")?;
@@ -187,6 +183,8 @@ fn main() -> Result<(), Error> {
                 if flat_face {
                     ways.retain(|way| matches!(way.name, "phong" | "face-frame"));
                 }
+                let is_wanted = |way: &Way| named.is_none_or(|named| named.split(';').any(|name| name == way.name));
+                ways.retain(|way| way.name == "phong" || is_wanted(way));
                 ways.retain(|way| !way.on_surface || mesh.triangles.len() <= SURFACE_MOST);
                 let mut times = vec![Vec::new(); ways.len()];
                 for round in 0..rounds + 2 {

@@ -1,6 +1,7 @@
 //! What stands in a scene: meshes at their places, each in a look of its own.
 
 use glam::DMat4;
+use tam_shaders::cpu::lib::columns::columns_per_tone;
 use tam_shaders::types;
 
 use crate::gpu::{GpuMesh, MapKind, MapTextures};
@@ -108,9 +109,9 @@ impl<'a> Object<'a> {
             distribution_entries: if kind == MapKind::Strokes { map.distribution_entries as f32 } else { 0.0 },
             cross_from: params.cross_from.filter(|_| mesh.surface.has_crossing_stripes()).unwrap_or(1.0) as f32,
             variety: params.variety as f32,
+            columns_per_tone: columns_per_tone(&map.tones) as f32,
             _pad_a: 0.0,
             _pad_b: 0.0,
-            _pad_c: 0.0,
             tones,
         }
     }

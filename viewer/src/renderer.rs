@@ -71,6 +71,8 @@ pub(crate) struct Draw<'a> {
     pub variant: Variant,
     /// Number of the pipeline that shades it.
     pub pipeline: usize,
+    /// Drawn with: vertices of the mesh, or corners with their patches.
+    pub indices: &'a wgpu::Buffer,
     /// View and placement, and their offset.
     pub scene: (types::Scene, u32),
     pub surface: wgpu::BindGroup,
@@ -114,7 +116,7 @@ impl Renderer {
     /// If the surface is that of another mesh.
     pub fn attach(&self, mesh: &mut GpuMesh, surface: &Surface) -> Result<(), GpuError> {
         assert_eq!(surface.graph.triangles.len(), mesh.triangle_count() as usize, "a surface of this mesh");
-        mesh.surface = SurfaceBuffers::new(&self.gpu, &self.layouts, Some(surface))?;
+        mesh.surface = SurfaceBuffers::new(&self.gpu, &self.layouts, &mesh.triangles, Some(surface))?;
         self.gpu.check()
     }
 
@@ -194,8 +196,10 @@ impl Renderer {
         if !styled.is_empty() {
             lines.make_pipeline(gpu, into.formats);
         }
+        let corners = mesh.surface.corner_indices().filter(|_| variant.on_patches);
         Ok(Draw {
             mesh,
+            indices: corners.unwrap_or(&mesh.buffers.index_buffer),
             placed: mesh.placed(gpu, layouts, nth),
             form: params.form,
             pipeline: shading.pipeline(gpu, layouts, &variant, into.formats, culled),

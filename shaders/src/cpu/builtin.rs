@@ -35,6 +35,17 @@ pub fn unpack2x16snorm(code: u32) -> DVec2 {
     DVec2::new(half(code), half(code >> 16))
 }
 
+/// Two numbers in `0.0 ..= 1.0` as 16-bit unorm, `x` in the low bits.
+pub fn pack2x16unorm(e: DVec2) -> u32 {
+    let half = |e: f64| u32::from((0.5 + 65535.0 * e.clamp(0.0, 1.0)).floor() as u16);
+    half(e.x) | half(e.y) << 16
+}
+
+/// The numbers that [`pack2x16unorm`] packed.
+pub fn unpack2x16unorm(code: u32) -> DVec2 {
+    DVec2::new(f64::from(code & 0xffff), f64::from(code >> 16)) / 65535.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,6 +58,13 @@ mod tests {
         assert_eq!(pack2x16snorm(DVec2::ZERO), 0);
         assert_eq!(unpack2x16snorm(0x8000_8000), DVec2::splat(-1.0));
         assert_eq!(pack2x16snorm(DVec2::new(3.0, -0.25)), 0xe000_7fff);
+    }
+
+    #[test]
+    fn unorm_codes_hold_both_ends() {
+        assert_eq!(pack2x16unorm(DVec2::new(2.0, -1.0)), 0x0000_ffff);
+        assert_eq!(unpack2x16unorm(0xffff_0000), DVec2::new(0.0, 1.0));
+        assert_eq!(pack2x16unorm(unpack2x16unorm(0x1234_5678)), 0x1234_5678);
     }
 
     #[test]

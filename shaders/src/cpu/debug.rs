@@ -7,12 +7,13 @@ use super::lib::adjacency::contribution;
 use super::lib::barycentric::{corner_weights, place_in_face};
 use super::lib::colour::{TAU, oklch};
 use super::lib::columns::{column_coordinate, wanted_level};
-use super::lib::directions::{mapped_direction, stripes_direction};
+use super::lib::directions::{OverlapSlopes, mapped_direction, stripes_direction};
 use super::lib::face_frame::half_angle;
 use super::lib::light::darkness;
 use super::lib::mapping::{footprint, frame_place, map_uv};
 use super::lib::material::{Material, column_tone, reflectance};
 use super::lib::mesh_types::NO_FACE;
+use super::lib::patched::overlap_of;
 use super::lib::strokes::lot;
 use super::lib::surface::{FragmentIn, Point, surface_point};
 use super::{Bindings, DebugView, Mapping, Quad};
@@ -170,7 +171,9 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2, lane
         DebugView::Frames => {
             let uvs = quad.map(|input| input.uv);
             let uv_steps = [uvs.dpdx(lane), uvs.dpdy(lane)];
-            direction_colour(mapped_direction(b, point, &place(), [dx, dy], uv_steps), place_px)
+            let slopes = OverlapSlopes::of(&quad.map(|input| *overlap_of(input)), lane);
+            let overlap = (overlap_of(&quad[lane]), &slopes);
+            direction_colour(mapped_direction(b, point, &place(), overlap, [dx, dy], uv_steps), place_px)
         }
         DebugView::Stripes => direction_colour(stripes_direction(b, point.face, &place()), place_px),
         DebugView::Adjacency => adjacency_colour(neighbour_share(b, point.face, p[lane])),

@@ -8,6 +8,7 @@ use super::lib::columns::{column_coordinate, column_ink, map_level};
 use super::lib::light::darkness;
 use super::lib::mapping::Mapped;
 use super::lib::material::reflectance;
+use super::lib::patched::overlap_of;
 use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::{Bindings, Quad};
 
@@ -27,6 +28,6 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: b
         let mapped = &mapped[lane];
         pattern_ink(b, mapped.patterns[i].uv, mapped.tiles_per_px, d)
     };
-    let ink = surface_ink(b, &points, lane, d, of_pattern, &of_patch);
+    let ink = surface_ink(b, &points, overlap_of(&quad[lane]), lane, d, of_pattern, &of_patch);
     drawn(b.scene, b.material, ink)
 }

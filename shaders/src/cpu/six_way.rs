@@ -8,7 +8,9 @@ use super::lib::columns::{column_coordinate, map_level};
 use super::lib::light::darkness;
 use super::lib::mapping::{map_surface, pattern_count};
 use super::lib::material::{Material, column_tone, reflectance};
-use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point, surface_vertex};
+use super::lib::patched::{overlap_of, patched_vertex};
+use super::lib::patches::Overlap;
+use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point};
 use super::{Bindings, MapImage, Mapping, Quad};
 
 /// Weights of the six columns; white has what is missing to 1.
@@ -34,12 +36,12 @@ pub fn six_ink(map: &MapImage, uv: DVec2, level: f64, weights: &Weights) -> f64 
 }
 
 /// A vertex on its way to the screen, with the weights of its tone.
-pub fn vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Weights) {
-    let surface = surface_vertex(b, index);
+pub fn vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap, Weights) {
+    let (surface, overlap) = patched_vertex(b, index);
     let n = surface.normal.normalize();
     let v = b.scene.to_camera(surface.p_world).normalize();
     let d = darkness(b.scene, reflectance(b.material), surface.p_world, n, v);
-    (surface, column_weights(column_coordinate(b.options.form, b.material, d)))
+    (surface, overlap, column_weights(column_coordinate(b.options.form, b.material, d)))
 }
 
 /// The tone that interpolated weights stand for.
@@ -59,7 +61,15 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, la
     let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
     if matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
         let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
-        let ink = surface_ink(b, &points, lane, weighted_tone(b.material, weights), |_, _, _| 0.0, &of_patch);
+        let ink = surface_ink(
+            b,
+            &points,
+            overlap_of(&quad[lane]),
+            lane,
+            weighted_tone(b.material, weights),
+            |_, _, _| 0.0,
+            &of_patch,
+        );
         return drawn(b.scene, b.material, ink);
     }
     let mapped = map_surface(b, &points, lane);

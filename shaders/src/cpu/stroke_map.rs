@@ -9,6 +9,7 @@ use super::lib::halftone::{halftone_ink, halftone_threshold};
 use super::lib::light::darkness;
 use super::lib::mapping::Mapped;
 use super::lib::material::reflectance;
+use super::lib::patched::overlap_of;
 use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::lib::threshold::{equalised, threshold_centred, threshold_one_sided};
 use super::{Bindings, Form, Mapping, PatternKind, Quad};
@@ -57,6 +58,6 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: b
         pattern_ink(b, &at, lane, d)
     };
     let of_patch = |uv, tiles_per_px, d| pattern_ink(b, &Quad::from_fn(|_| Sampled { uv, tiles_per_px }), lane, d);
-    let ink = surface_ink(b, &points, lane, d, of_pattern, &of_patch);
+    let ink = surface_ink(b, &points, overlap_of(&quad[lane]), lane, d, of_pattern, &of_patch);
     drawn(b.scene, b.material, ink)
 }

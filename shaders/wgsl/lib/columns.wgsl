@@ -10,7 +10,10 @@ fn column_coordinate(d: f32) -> f32 {
     if FORM == FORM_LITERAL {
         return clamp(d, 0.0, 1.0) * f32(n);
     }
-    // Columns are mostly spaced evenly, and the first guess is right; else they are searched.
+    if material.columns_per_tone > 0.0 {
+        return clamp(d * material.columns_per_tone, 0.0, f32(n));
+    }
+    // The first guess is mostly right; else they are searched.
     let guess = min(u32(max(d, 0.0) / max(column_tone(n), 1e-6) * f32(n)), n - 1u);
     let above = column_tone(guess) > d;
     let below = column_tone(guess + 1u) <= d;
@@ -37,6 +40,16 @@ fn wanted_level(tiles_per_px: f32) -> f32 {
 // The same among those there are. Below the finest level strokes grow, as in any texture.
 fn map_level(tiles_per_px: f32) -> f32 {
     return clamp(wanted_level(tiles_per_px), 0.0, material.level_count - 1.0);
+}
+
+// The scale at which a map is sampled: the footprint of a pixel, and the level that fits it.
+struct Scale {
+    tiles_per_px: f32,
+    level: f32,
+}
+
+fn map_scale(tiles_per_px: f32) -> Scale {
+    return Scale(tiles_per_px, map_level(tiles_per_px));
 }
 
 // Ink of an array whose layer k holds column k and column k + 1 in its two channels (column 0 is white): one sample

@@ -49,24 +49,34 @@ fn rotated(place: vec2f, angle_rad: f32) -> vec2f {
     return vec2f(c * place.x - s * place.y, s * place.x + c * place.y);
 }
 
-fn patches_direction(face: u32, place: Place) -> vec2f {
-    let patches = patches_at(face, place.weights);
+// How the places of an overlap change to the next pixel, and to the one below.
+struct OverlapSlopes {
+    ab_dx: vec4f,
+    cd_dx: vec4f,
+    ab_dy: vec4f,
+    cd_dy: vec4f,
+}
+
+// The direction of one patch, by its weight, from the changes of its place.
+fn patch_direction(st_dx: vec2f, st_dy: vec2f, seed: u32, weight: f32) -> vec2f {
     var direction = vec2f(0.0);
-    for (var i = 0u; i < patches.count; i++) {
-        let weight = patch_weight(patches, i);
-        if weight == 0.0 {
-            continue;
-        }
-        let entry = patches.first + i;
-        let places = patch_entries[entry].places;
-        let st_dx = patch_place(places, place.dx);
-        let st_dy = patch_place(places, place.dy);
-        for (var copy = 0u; copy < select(1u, TURNS, FOLLOW == FOLLOW_LIGHT); copy++) {
-            let turn = entry_turn(entry, copy);
-            direction += weight * turn.w * pattern_direction(rotated(st_dx, turn.z), rotated(st_dy, turn.z));
-        }
+    if weight <= 0.0 {
+        return direction;
+    }
+    for (var copy = 0u; copy < select(1u, TURNS, FOLLOW == FOLLOW_LIGHT); copy++) {
+        let turn = seed_turn(seed, copy);
+        direction += weight * turn.w * pattern_direction(rotated(st_dx, turn.z), rotated(st_dy, turn.z));
     }
     return direction;
+}
+
+fn patches_direction(overlap: Overlap, slopes: OverlapSlopes) -> vec2f {
+    let weights = overlap_weights(overlap.behind);
+    let seeds = overlap.seeds;
+    return patch_direction(slopes.ab_dx.xy, slopes.ab_dy.xy, seeds.x, weights.x)
+        + patch_direction(slopes.ab_dx.zw, slopes.ab_dy.zw, seeds.y, weights.y)
+        + patch_direction(slopes.cd_dx.xy, slopes.cd_dy.xy, seeds.z, weights.z)
+        + patch_direction(slopes.cd_dx.zw, slopes.cd_dy.zw, seeds.w, weights.w);
 }
 
 fn lapped_direction(face: u32, place: Place) -> vec2f {
@@ -88,7 +98,16 @@ fn stripes_direction(face: u32, place: Place) -> vec2f {
 }
 
 // Of the mapping; `uv_dx` and `uv_dy` are changes of the mesh's own uv.
-fn mapped_direction(point: Point, place: Place, dx: vec3f, dy: vec3f, uv_dx: vec2f, uv_dy: vec2f) -> vec2f {
+fn mapped_direction(
+    point: Point,
+    place: Place,
+    overlap: Overlap,
+    slopes: OverlapSlopes,
+    dx: vec3f,
+    dy: vec3f,
+    uv_dx: vec2f,
+    uv_dy: vec2f,
+) -> vec2f {
     if MAPPING == MAPPING_FRAMES {
         return frame_direction(face_normals[point.face].xyz, face_frames[point.face], dx, dy);
     }
@@ -96,7 +115,7 @@ fn mapped_direction(point: Point, place: Place, dx: vec3f, dy: vec3f, uv_dx: vec
         return triplanar_direction(point.normal, dx, dy);
     }
     if MAPPING == MAPPING_PATCHES {
-        return patches_direction(point.face, place);
+        return patches_direction(overlap, slopes);
     }
     if MAPPING == MAPPING_LAPPED {
         return lapped_direction(point.face, place);

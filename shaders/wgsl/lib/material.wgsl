@@ -31,9 +31,10 @@ struct Material {
     cross_from: f32,
     // How much the strokes of stripes differ, 0..=1.
     variety: f32,
+    // Columns to a darkness of 1 where they are evenly spaced; 0: they are not.
+    columns_per_tone: f32,
     _pad_a: f32,
     _pad_b: f32,
-    _pad_c: f32,
     // Tones of the columns behind the implicit white, four to a vector, increasing.
     tones: array<vec4f, 17>,
 }

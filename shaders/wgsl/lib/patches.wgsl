@@ -1,4 +1,5 @@
-// Overlapping parametrisations of a surface, found per face. Praun and others, "Real-Time Hatching", 2001, section 6.
+// Overlapping parametrisations of a surface. Praun and others, "Real-Time Hatching", 2001, section 6. The corners of a
+// triangle carry the patches that it sees; stripes and lapped textures find them by face.
 // As patches: the nearest has weight 1, others fade out with the distance they stand behind it. As lapped textures:
 // in the order of painting, each with its alpha.
 //!include lib/form.wgsl
@@ -13,6 +14,10 @@ struct PatchEntry {
     shares: u32,
 }
 
+// Two records per corner: four places on the tile, as those of an entry; then four distances behind the nearest patch, two
+// 16-bit unorm to the word, in units of BEHIND_RANGE feathers, the vertex that stands there, and where the record of its
+// patches' seeds is. All corners of a triangle have the same patches in the same order.
+@group(3) @binding(6) var<storage, read> patch_corners: array<vec4u>;
 // Per face its first entry, then the number of entries, then per entry its rows where there are stripes, then its seed.
 @group(3) @binding(0) var<storage, read> patch_starts: array<u32>;
 @group(3) @binding(1) var<storage, read> patch_entries: array<PatchEntry>;
@@ -31,6 +36,16 @@ const MAPPING_LAPPED: u32 = 4u;
 const MAX_PATCHES: u32 = 8u;
 const PLACE_RANGE: f32 = 4.0;
 const BEHIND_RANGE: f32 = 4.0;
+
+// The patches that overlap at a fragment, interpolated between the corners; those that are not there stand far behind.
+struct Overlap {
+    // Places on the tile, of two patches each.
+    places_ab: vec4f,
+    places_cd: vec4f,
+    // Distances behind the nearest, in feathers.
+    behind: vec4f,
+    seeds: vec4u,
+}
 
 // The patches of a face as a fragment sees them.
 struct Patches {
@@ -57,15 +72,11 @@ fn entry_seed(entry: u32) -> u32 {
     return patch_starts[arrayLength(&patch_starts) - arrayLength(&patch_entries) + entry];
 }
 
-// How an entry's patch lies on the tile, in one of the copies that are drawn of it: two at the quantised angles on
+// How a seed's patch lies on the tile, in one of the copies that are drawn of it: two at the quantised angles on
 // both sides of the wanted one, and one along the fixed direction where the light gives none.
-fn entry_turn(entry: u32, copy: u32) -> vec4f {
+fn seed_turn(seed: u32, copy: u32) -> vec4f {
     let alone = vec4f(0.0, 0.0, 0.0, select(0.0, 1.0, copy == 0u));
-    if FOLLOW == FOLLOW_SURFACE {
-        return alone;
-    }
-    let seed = entry_seed(entry);
-    if seed == NO_SEED {
+    if FOLLOW == FOLLOW_SURFACE || seed == NO_SEED {
         return alone;
     }
     let texel = seed * TURNS + copy;
@@ -77,6 +88,30 @@ fn turned_uv(place: vec2f, turn: vec4f) -> vec2f {
     let c = cos(turn.z);
     let s = sin(turn.z);
     return tile_uv(turn.xy + vec2f(c * place.x - s * place.y, s * place.x + c * place.y));
+}
+
+// The vertex of a corner.
+fn corner_vertex(corner: u32) -> u32 {
+    return patch_corners[2u * corner + 1u].z;
+}
+
+// What a corner sees.
+fn corner_overlap(corner: u32) -> Overlap {
+    let places = patch_corners[2u * corner];
+    let rest = patch_corners[2u * corner + 1u];
+    return Overlap(
+        PLACE_RANGE * vec4f(unpack2x16snorm(places.x), unpack2x16snorm(places.y)),
+        PLACE_RANGE * vec4f(unpack2x16snorm(places.z), unpack2x16snorm(places.w)),
+        BEHIND_RANGE * vec4f(unpack2x16unorm(rest.x), unpack2x16unorm(rest.y)),
+        patch_corners[rest.w],
+    );
+}
+
+// The weights of the patches that overlap: the nearest has 1, before all are made to sum to 1.
+fn overlap_weights(behind: vec4f) -> vec4f {
+    let least = min(min(behind.x, behind.y), min(behind.z, behind.w));
+    let weights = max(vec4f(0.0), vec4f(1.0) - (behind - least));
+    return weights / dot(weights, vec4f(1.0));
 }
 
 // How far a fragment stands behind the nearest patch in an entry's.

@@ -46,14 +46,9 @@ struct Point {
     face: u32,
 }
 
-fn surface_vertex(index: u32) -> VertexOut {
+// A vertex of the mesh, by its own number.
+fn mesh_vertex(v: u32) -> VertexOut {
     var out: VertexOut;
-//!if flat_face
-    let v = provoking[index];
-    out.face = index;
-//!else
-    let v = index;
-//!end
     let vertex = vertices[v];
     let p = scene.world_from_mesh * vec4f(vertex.position, 1.0);
     out.clip = scene.clip_from_world * p;
@@ -61,6 +56,16 @@ fn surface_vertex(index: u32) -> VertexOut {
     out.normal = (scene.world_from_mesh_normal * vec4f(oct_decode(vertex.normal_oct), 0.0)).xyz;
     out.uv = uvs[min(v, arrayLength(&uvs) - 1u)];
     return out;
+}
+
+fn surface_vertex(index: u32) -> VertexOut {
+//!if flat_face
+    var out = mesh_vertex(provoking[index]);
+    out.face = index;
+    return out;
+//!else
+    return mesh_vertex(index);
+//!end
 }
 
 fn surface_point(in: FragmentIn, front: bool) -> Point {

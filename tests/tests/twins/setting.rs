@@ -1,11 +1,13 @@
 //! What the functions under test are bound to: a few scenes, materials and maps, on both sides.
 
 use glam::{DVec2, DVec4, Mat4, Vec3};
+use tam_shaders::cpu::builtin::pack2x16unorm;
+use tam_shaders::cpu::lib::columns::columns_per_tone;
 use tam_shaders::cpu::lib::edges::LineStyle;
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
-use tam_shaders::cpu::lib::patches::{PatchTable, TURNS, pack_place, pack_tens};
+use tam_shaders::cpu::lib::patches::{OVERLAPS, PatchTable, TURNS, pack_place, pack_tens};
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lib::threshold::ROWS_PER_LEVEL;
 use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
@@ -22,6 +24,8 @@ pub(crate) const TONES: [f32; 7] = [0.0, 0.15, 0.3, 0.45, 0.6, 0.8, 0.95];
 /// Faces of the mesh; all triples of its vertices.
 pub(crate) const FACES: usize = 64;
 const VERTICES: usize = 48;
+/// Corners that see patches.
+pub(crate) const CORNERS: usize = 96;
 /// Seeds of the patches.
 const SEEDS: usize = 20;
 
@@ -42,6 +46,7 @@ pub(crate) struct Setting {
     pub(crate) stripes: [Vec<types::StripePhases>; 2],
     pub(crate) patch_starts: Vec<u32>,
     pub(crate) patch_entries: Vec<types::PatchEntry>,
+    pub(crate) patch_corners: Vec<[u32; 4]>,
     pub(crate) seed_turns: Vec<[f32; 4]>,
     pub(crate) map: MapImage,
     pub(crate) distribution: Vec<Vec<[f32; 2]>>,
@@ -151,6 +156,8 @@ impl Setting {
         let patch_starts: Vec<u32> =
             patch_starts.into_iter().chain(rows).chain((0..entries).map(|i| patch_seed(draw(i)))).collect();
         let patch_entries = (0..entries).map(|i| patch_entry(draw(i))).collect();
+        let corners = (0..CORNERS).flat_map(|i| patch_corner(draw(i)));
+        let patch_corners = corners.chain((0..SEEDS).map(|i| corner_seeds(draw(i)))).collect();
         let turn = |i: usize| -> [f32; 4] {
             let (uv, draw) = (draw(i).tile(1092, 1.0), draw(i));
             DVec4::new(uv.x, uv.y, draw.between(1094, -3.2, 3.2), draw.between(1095, 0.0, 0.5)).as_vec4().into()
@@ -186,6 +193,7 @@ impl Setting {
             stripes: [0, FACES].map(|first| (first..first + FACES).map(stripe).collect()),
             patch_starts,
             patch_entries,
+            patch_corners,
             seed_turns,
             map,
             distribution,
@@ -212,6 +220,8 @@ impl Setting {
             distribution: &self.twin.distribution,
             stripes: StripeTable { along: &self.stripes[0], across: &self.stripes[1] },
             patches: PatchTable {
+                corners: &self.patch_corners,
+                corner_indices: &[],
                 starts: &self.patch_starts,
                 entries: &self.patch_entries,
                 rows: &self.patch_starts[FACES + 1..],
@@ -231,6 +241,19 @@ fn patch_seed(draw: Draw) -> u32 {
 fn patch_rows(draw: Draw) -> u32 {
     let half = |slot: u64| ((draw.pick(slot, 400) as i32 - 200) & 0xffff) as u32;
     half(1096) | half(1097) << 16
+}
+
+/// Four patches anywhere on the tile, the last of which may not be there, at a vertex; and which seeds they have.
+fn patch_corner(draw: Draw) -> [[u32; 4]; 2] {
+    let behind = |slot: u64| DVec2::new(0.5 * draw.unit(slot), if draw.pick(slot + 1, 3) == 0 { 1.0 } else { 0.1 });
+    let places = std::array::from_fn::<_, OVERLAPS, _>(|i| pack_place(draw.tile(1100 + 2 * i as u64, 2.0)));
+    let seeds = (2 * CORNERS + draw.pick(1120, SEEDS)) as u32;
+    let vertex = draw.pick(1121, VERTICES) as u32;
+    [places, [pack2x16unorm(behind(1110)), pack2x16unorm(behind(1112)), vertex, seeds]]
+}
+
+fn corner_seeds(draw: Draw) -> [u32; 4] {
+    [1130, 1131, 1132, 1133].map(|slot| if draw.pick(slot, 8) == 0 { u32::MAX } else { draw.pick(slot, SEEDS) as u32 })
 }
 
 /// A patch anywhere on the tile; a third of them the nearest at one corner.
@@ -306,9 +329,9 @@ fn material(tones: &[f32]) -> types::Material {
         distribution_entries: 9.0,
         cross_from: 0.4,
         variety: 0.7,
+        columns_per_tone: columns_per_tone(&tones[1..].iter().map(|tone| f64::from(*tone)).collect::<Vec<_>>()) as f32,
         _pad_a: 0.0,
         _pad_b: 0.0,
-        _pad_c: 0.0,
         tones: all,
     }
 }
@@ -371,6 +394,7 @@ impl Uploaded {
             // As the vertices of an index buffer that is the list of vertices.
             ("provoking", buffer(bytemuck::cast_slice(&(0..VERTICES as u32).collect::<Vec<_>>()), storage)),
             ("patch_starts", buffer(bytemuck::cast_slice(&setting.patch_starts), storage)),
+            ("patch_corners", buffer(bytemuck::cast_slice(&setting.patch_corners), storage)),
             ("patch_entries", buffer(bytemuck::cast_slice(&setting.patch_entries), storage)),
             ("edges", buffer(bytemuck::cast_slice(&setting.edges), storage)),
             ("cases", buffer(bytemuck::cast_slice(&cases), storage)),

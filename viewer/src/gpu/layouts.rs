@@ -68,6 +68,7 @@ impl Layouts {
                     texture(2, tables, false),
                     storage(4, FRAGMENT),
                     storage(5, FRAGMENT),
+                    storage(6, VERTEX),
                 ],
             ),
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),

@@ -28,6 +28,8 @@ pub struct GpuMesh {
     pub(crate) version: u64,
     /// Where objects stand, made for as many as a frame ever had of it.
     placed: Mutex<Vec<Arc<PlacedMesh>>>,
+    /// Kept for surfaces that are attached later.
+    pub(crate) triangles: Vec<[u32; 3]>,
     /// Bind group 3.
     pub(crate) surface: SurfaceBuffers,
     staging: Vec<types::Vertex>,
@@ -99,7 +101,8 @@ impl GpuMesh {
         let first = PlacedMesh::new(gpu, layouts, &buffers);
         Ok(Self {
             buffers,
-            surface: SurfaceBuffers::new(gpu, layouts, None)?,
+            surface: SurfaceBuffers::new(gpu, layouts, &[], None)?,
+            triangles: mesh.triangles.clone(),
             parts: mesh.parts.iter().map(|part| part.triangles.clone()).collect(),
             closed: mesh.neighbours.as_flattened().iter().all(|neighbour| *neighbour != NO_FACE),
             radius: radius(&mesh.positions),

@@ -3,10 +3,11 @@
 use std::sync::{Mutex, PoisonError};
 
 use glam::DMat4;
-use tam_shaders::types::{self, StripePhases};
+use tam_shaders::types::{self, PatchEntry, StripePhases};
 
 use super::{Gpu, GpuError, Layouts};
 use crate::params::{Follow, Mapping, Method, RenderParams};
+use crate::surface::patches::PatchVertices;
 use crate::surface::patches::turns::Turns;
 use crate::surface::{Graph, Patches, Stripes, Surface};
 
@@ -19,8 +20,9 @@ pub(crate) struct SurfaceBuffers {
 }
 
 struct PatchBuffers {
-    /// Starts and entries.
-    lists: [wgpu::Buffer; 2],
+    lists: Lists,
+    /// Of the corners; `None` where fragments find them by face.
+    indices: Option<wgpu::Buffer>,
     tiles_per_unit: f64,
     /// Whether rows of stripes are known on them.
     has_rows: bool,
@@ -29,6 +31,13 @@ struct PatchBuffers {
     /// The first object's; where patches turn, each object has its own.
     tables: Mutex<Vec<TurnTable>>,
     bytes: u64,
+}
+
+/// What the shaders read of patches; what is not needed is a record that stands for none.
+struct Lists {
+    starts: wgpu::Buffer,
+    entries: wgpu::Buffer,
+    corners: wgpu::Buffer,
 }
 
 /// How patches turn where an object stands, and the group that has it.
@@ -54,14 +63,21 @@ impl SurfaceBuffers {
     ///
     /// # Errors
     /// [`GpuError::TooLarge`] if a buffer exceeds what the adapter binds.
-    pub(crate) fn new(gpu: &Gpu, layouts: &Layouts, surface: Option<&Surface>) -> Result<Self, GpuError> {
+    pub(crate) fn new(
+        gpu: &Gpu,
+        layouts: &Layouts,
+        triangles: &[[u32; 3]],
+        surface: Option<&Surface>,
+    ) -> Result<Self, GpuError> {
         let stripes = StripeBuffers::new(gpu, surface.and_then(|surface| surface.stripes.as_ref()))?;
         let upload = |patches: Option<&Patches>| {
             let graph = surface.map(|surface| &surface.graph);
-            graph.zip(patches).map(|(graph, patches)| PatchBuffers::new(gpu, layouts, graph, patches, &stripes))
+            graph
+                .zip(patches)
+                .map(|(graph, patches)| PatchBuffers::new(gpu, layouts, triangles, (graph, patches), &stripes))
         };
         Ok(Self {
-            empty: group(gpu, layouts, &lists(gpu, &[0; 4], &[0; 16]), &turn_table(gpu, 1), &stripes),
+            empty: group(gpu, layouts, &Lists::new(gpu, None, None), &turn_table(gpu, 1), &stripes),
             patches: upload(surface.and_then(|surface| surface.patches.as_ref())).transpose()?,
             lapped: upload(surface.and_then(|surface| surface.lapped.as_ref())).transpose()?,
             stripes,
@@ -80,6 +96,11 @@ impl SurfaceBuffers {
     pub(crate) fn group(&self, gpu: &Gpu, layouts: &Layouts, mapping: Mapping, nth: usize) -> wgpu::BindGroup {
         let patches = self.of(mapping);
         patches.map_or_else(|| self.empty.clone(), |patches| patches.table(gpu, layouts, &self.stripes, nth).group)
+    }
+
+    /// The index buffer of what corners see of the patches that blend; `None` where there are none.
+    pub(crate) fn corner_indices(&self) -> Option<&wgpu::Buffer> {
+        self.patches.as_ref()?.indices.as_ref()
     }
 
     /// Repeats of the tile per unit for which a mapping's patches were made; `None` where there are none.
@@ -150,21 +171,32 @@ impl PatchBuffers {
     fn new(
         gpu: &Gpu,
         layouts: &Layouts,
-        graph: &Graph,
-        patches: &Patches,
+        triangles: &[[u32; 3]],
+        (graph, patches): (&Graph, &Patches),
         stripes: &StripeBuffers,
     ) -> Result<Self, GpuError> {
-        gpu.fits("the patches of the mesh's faces", patches.bytes())?;
-        let (starts, entries) = (patches.packed_starts(), patches.packed());
-        let lists = lists(gpu, bytemuck::cast_slice(&starts), bytemuck::cast_slice(&entries));
+        let vertices = (!patches.lapped).then(|| PatchVertices::new(triangles, patches));
+        // Rows of stripes are found by face.
+        let by_face = (patches.lapped || !patches.rows.is_empty()).then_some(patches);
+        let bytes = vertices.as_ref().map_or(0, PatchVertices::bytes) + by_face.map_or(0, Patches::bytes);
+        gpu.fits("the patches of the mesh's faces", bytes)?;
+        let lists = Lists::new(gpu, by_face, vertices.as_ref());
+        let indices = vertices.map(|vertices| {
+            gpu.buffer_of(&wgpu::util::BufferInitDescriptor {
+                label: Some("patch indices"),
+                contents: bytemuck::cast_slice(&vertices.indices),
+                usage: wgpu::BufferUsages::INDEX,
+            })
+        });
         let turning = (patches.follow == Follow::Light).then(|| Turns::new(graph, patches));
         let this = Self {
             lists,
+            indices,
             turning,
             tables: Mutex::default(),
             tiles_per_unit: patches.tiles_per_unit,
             has_rows: !patches.rows.is_empty(),
-            bytes: patches.bytes(),
+            bytes,
         };
         this.table(gpu, layouts, stripes, 0);
         Ok(this)
@@ -218,18 +250,29 @@ fn turn_table(gpu: &Gpu, turns: usize) -> wgpu::Texture {
     })
 }
 
-fn lists(gpu: &Gpu, starts: &[u8], entries: &[u8]) -> [wgpu::Buffer; 2] {
-    [storage(gpu, "patch starts", starts), storage(gpu, "patch entries", entries)]
+impl Lists {
+    fn new(gpu: &Gpu, by_face: Option<&Patches>, vertices: Option<&PatchVertices>) -> Self {
+        let none = [PatchEntry::default()];
+        let starts = by_face.map_or_else(|| vec![0; 4], Patches::packed_starts);
+        let entries = by_face.map_or_else(|| none.to_vec(), Patches::packed);
+        let corners = vertices.map_or_else(|| vec![[0; 4]; 2], PatchVertices::packed);
+        Self {
+            starts: storage(gpu, "patch starts", bytemuck::cast_slice(&starts)),
+            entries: storage(gpu, "patch entries", bytemuck::cast_slice(&entries)),
+            corners: storage(gpu, "patch corners", bytemuck::cast_slice(&corners)),
+        }
+    }
 }
 
 fn group(
     gpu: &Gpu,
     layouts: &Layouts,
-    lists: &[wgpu::Buffer; 2],
+    lists: &Lists,
     turns: &wgpu::Texture,
     stripes: &StripeBuffers,
 ) -> wgpu::BindGroup {
-    let buffers = [(0, &lists[0]), (1, &lists[1]), (4, &stripes.along), (5, &stripes.across)];
+    let buffers =
+        [(0, &lists.starts), (1, &lists.entries), (4, &stripes.along), (5, &stripes.across), (6, &lists.corners)];
     let turns = turns.create_view(&wgpu::TextureViewDescriptor::default());
     let mut entries: Vec<wgpu::BindGroupEntry<'_>> = buffers
         .iter()

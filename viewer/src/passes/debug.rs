@@ -14,6 +14,11 @@ pub(super) fn variant(view: DebugView, params: &RenderParams, mesh: &GpuMesh) ->
     let mapping = if params.method == Method::FaceFrame { Mapping::Frames } else { params.mapping };
     let follow = if turns(params, mesh) { Follow::Light } else { Follow::Surface };
     let shown = shown(view, params.method, mapping, mesh);
+    // Only directions are those of patches; all else is the same on three planes, where vertices know their faces.
+    let mapping = match mapping {
+        Mapping::Patches if shown != Shown::Frames => Mapping::Triplanar,
+        mapping => mapping,
+    };
     let mut variant =
         Variant::new(Pass::Debug, kind(view, params)).mapped(&RenderParams { mapping, follow, ..*params });
     variant.frames = shown == Shown::Frames && mapping == Mapping::Frames;

@@ -21,11 +21,13 @@ pub(crate) struct Variant {
     pub unindexed: bool,
     /// Whether fragments read the frames of the faces.
     pub frames: bool,
+    /// Whether an index names a corner with its patches, not a vertex.
+    pub on_patches: bool,
 }
 
 impl Variant {
     pub(crate) fn new(pass: Pass, kind: MapKind) -> Self {
-        Self { pass, constants: Vec::new(), kind, unindexed: false, frames: false }
+        Self { pass, constants: Vec::new(), kind, unindexed: false, frames: false, on_patches: false }
     }
 
     pub(crate) fn with(mut self, name: &'static str, constant: u32) -> Self {
@@ -37,6 +39,7 @@ impl Variant {
     pub(crate) fn mapped(mut self, params: &RenderParams) -> Self {
         self.frames = params.mapping == Mapping::Frames;
         let follows = params.mapping == Mapping::Patches && params.follow == Follow::Light;
+        self.on_patches = params.mapping == Mapping::Patches;
         let this = self.with("FOLLOW", u32::from(follows));
         this.with("FORM", form_constant(params.form)).with("MAPPING", cpu::Mapping::from(params.mapping) as u32)
     }
@@ -108,7 +111,7 @@ impl Shading {
             }
             pass.set_bind_group(1, &draw.placed.groups.drawn, &[]);
             pass.set_bind_group(3, &draw.surface, &[]);
-            pass.set_index_buffer(draw.mesh.buffers.index_buffer.slice(..), wgpu::IndexFormat::Uint32);
+            pass.set_index_buffer(draw.indices.slice(..), wgpu::IndexFormat::Uint32);
             for (part, (material, map)) in draw.mesh.parts.iter().zip(&draw.parts) {
                 let offsets = Offsets { scene: draw.scene.1, material: *material, ..Offsets::default() };
                 pass.set_bind_group(0, frame, &offsets.of_group());

@@ -3,10 +3,12 @@
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::face_frame_vertex::HatchOut;
-use tam_shaders::cpu::lib::surface::{FragmentIn, surface_vertex};
+use tam_shaders::cpu::lib::patched::patched_vertex;
+use tam_shaders::cpu::lib::patches::Overlap;
+use tam_shaders::cpu::lib::surface::{FragmentIn, VertexOut, surface_vertex};
 use tam_shaders::cpu::six_way::Weights;
 use tam_shaders::cpu::{
-    Bindings, Quad, debug, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map,
+    Bindings, Mapping, Quad, debug, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map,
 };
 
 use super::ReferenceError;
@@ -32,6 +34,7 @@ pub(super) struct Corner {
     normal: DVec3,
     uv: DVec2,
     six: Weights,
+    overlap: Overlap,
     hatch: HatchOut,
 }
 
@@ -52,6 +55,11 @@ impl Shader {
         }
     }
 
+    /// Whether its corners carry patches, where the mapping is by those.
+    fn draws_on_patches(self) -> bool {
+        matches!(self, Self::SixWay | Self::StrokeMap | Self::FineTone | Self::Debug)
+    }
+
     /// The corners of a triangle of the mesh.
     pub(super) fn corners(self, b: &Bindings<'_>, face: u32) -> [Corner; 3] {
         std::array::from_fn(|k| {
@@ -59,13 +67,19 @@ impl Shader {
                 let hatch = face_frame_vertex::vertex(b, 3 * (face - b.material.first_face) + k as u32);
                 return Corner { clip: hatch.clip, hatch, ..Corner::default() };
             }
-            let index = b.mesh.indices[3 * face as usize + k];
-            let (surface, six) = match self {
+            let on_patches = b.options.mapping == Mapping::Patches && self.draws_on_patches();
+            let indices = if on_patches { b.patches.corner_indices } else { b.mesh.indices };
+            let index = indices[3 * face as usize + k];
+            let (surface, overlap, six) = match self {
                 Self::SixWay => six_way::vertex(b, index),
-                _ => (surface_vertex(b, index), Weights::default()),
+                _ if on_patches => {
+                    let (surface, overlap) = patched_vertex(b, index);
+                    (surface, overlap, Weights::default())
+                }
+                _ => (surface_vertex(b, index), Overlap::default(), Weights::default()),
             };
-            let hatch = HatchOut::default();
-            Corner { clip: surface.clip, p_world: surface.p_world, normal: surface.normal, uv: surface.uv, six, hatch }
+            let VertexOut { clip, p_world, normal, uv } = surface;
+            Corner { clip, p_world, normal, uv, six, overlap, hatch: HatchOut::default() }
         })
     }
 
@@ -87,6 +101,7 @@ impl Shader {
             normal: mixed(*weights, corners.map(|corner| corner.normal)),
             uv: mixed(*weights, corners.map(|corner| corner.uv)),
             primitive,
+            overlap: Overlap::mixed(*weights, corners.map(|corner| corner.overlap)),
         });
         match self {
             Self::Phong => phong::fragment(b, &quad[lane], front),

@@ -81,9 +81,9 @@ fn material(tones: &[f64], size: u32, levels: usize, distribution_entries: usize
         distribution_entries: distribution_entries as f32,
         cross_from: 1.0,
         variety: 0.0,
+        columns_per_tone: 0.0,
         _pad_a: 0.0,
         _pad_b: 0.0,
-        _pad_c: 0.0,
         tones: all,
     }
 }

@@ -5,13 +5,20 @@ use glam::{DVec2, DVec3};
 use super::barycentric::corner_weights;
 use super::mapping::{Mapped, frame_place, map_surface, mean_footprint, pattern_count};
 use super::material::tile_uv;
-use super::patches::{MAX_PATCHES, patch_patterns, patch_place, unpack_tens};
+use super::patches::{
+    MAX_PATCHES, OVERLAPS, Overlap, copies, overlap_weights, patch_place, seed_turn, turned_uv, unpack_tens,
+};
 use super::surface::Point;
 use crate::cpu::{Bindings, Blend, Mapping, Options, Quad};
 
-/// The darkness at which a pattern of this weight takes part, so that the union of all has darkness `d`.
-pub fn union_darkness(d: f64, weight: f64) -> f64 {
-    1.0 - (1.0 - d).max(1e-6).powf(weight)
+/// What is left of the light at a darkness, as an exponent of 2: what the patterns of a union have in common.
+pub fn log2_light(d: f64) -> f64 {
+    (1.0 - d).max(1e-6).log2()
+}
+
+/// The darkness at which a pattern of this weight takes part, so that the union of all has the darkness of that light.
+pub fn union_darkness(light: f64, weight: f64) -> f64 {
+    1.0 - (weight * light).exp2()
 }
 
 /// Ink of all patterns; `pattern_ink(i, darkness)` is that of pattern `i` at a darkness.
@@ -24,7 +31,7 @@ pub fn blended_ink(options: Options, mapped: &Mapped, d: f64, pattern_ink: impl 
         if linear {
             sum += pattern.weight * pattern_ink(i, d);
         } else {
-            let reduced = union_darkness(d, pattern.weight);
+            let reduced = union_darkness(log2_light(d), pattern.weight);
             clear *= 1.0 - pattern_ink(i, reduced);
         }
     }
@@ -34,21 +41,42 @@ pub fn blended_ink(options: Options, mapped: &Mapped, d: f64, pattern_ink: impl 
 /// Ink of a pattern: place on the tile, footprint, darkness.
 pub type PatternInk<'a> = &'a dyn Fn(DVec2, f64, f64) -> f64;
 
-/// Patches, independent of each other.
-pub fn patches_ink(
+/// What the strokes of one patch leave of the paper, 1 where it has no share; of a linear blend the ink that they add.
+pub fn patch_ink(
     b: &Bindings<'_>,
-    face: usize,
-    corners: DVec3,
+    place: DVec2,
+    seed: u32,
+    share: f64,
     tiles_per_px: f64,
     d: f64,
     pattern_ink: PatternInk<'_>,
 ) -> f64 {
-    let patterns = patch_patterns(b, face, corners);
-    if b.options.blend == Blend::Linear {
-        return patterns.iter().map(|(uv, weight)| weight * pattern_ink(*uv, tiles_per_px, d)).sum();
+    let linear = b.options.blend == Blend::Linear;
+    let mut ink = if linear { 0.0 } else { 1.0 };
+    if share <= 0.0 {
+        return ink;
     }
-    let clear = |(uv, weight): &(DVec2, f64)| 1.0 - pattern_ink(*uv, tiles_per_px, union_darkness(d, *weight));
-    1.0 - patterns.iter().map(clear).product::<f64>()
+    for copy in 0..copies(b.options.follow) {
+        let turn = seed_turn(b.options.follow, b.patches, seed, copy);
+        let weight = share * turn.w;
+        if weight > 0.0 {
+            let uv = turned_uv(b.material, place, turn);
+            if linear {
+                ink += weight * pattern_ink(uv, tiles_per_px, d);
+            } else {
+                ink *= 1.0 - pattern_ink(uv, tiles_per_px, union_darkness(log2_light(d), weight));
+            }
+        }
+    }
+    ink
+}
+
+/// Patches, independent of each other.
+pub fn patches_ink(b: &Bindings<'_>, overlap: &Overlap, tiles_per_px: f64, d: f64, pattern_ink: PatternInk<'_>) -> f64 {
+    let shares = overlap_weights(overlap.behind).to_array();
+    let inks = (0..OVERLAPS)
+        .map(|i| patch_ink(b, overlap.places[i], overlap.seeds[i], shares[i], tiles_per_px, d, pattern_ink));
+    if b.options.blend == Blend::Linear { inks.sum() } else { 1.0 - inks.product::<f64>() }
 }
 
 /// Lapped textures, painted one over the other.
@@ -77,6 +105,7 @@ pub fn lapped_ink(
 pub fn surface_ink(
     b: &Bindings<'_>,
     points: &Quad<Point>,
+    overlap: &Overlap,
     lane: usize,
     d: f64,
     of_pattern: impl Fn(&Quad<Mapped>, usize, f64) -> f64,
@@ -88,11 +117,10 @@ pub fn surface_ink(
         let mapped = Quad::from_fn(|lane| map_surface(b, points, lane));
         return blended_ink(b.options, &mapped[lane], d, |i, d| of_pattern(&mapped, i, d));
     }
-    let corners = corner_weights(&b.mesh, point.face, frame_place(form, b.scene, point.p_world));
     let tiles_per_px = mean_footprint(form, b.scene, b.material, point);
-    if b.options.mapping == Mapping::Lapped {
-        lapped_ink(b, point.face, corners, tiles_per_px, d, of_patch)
-    } else {
-        patches_ink(b, point.face, corners, tiles_per_px, d, of_patch)
+    if b.options.mapping == Mapping::Patches {
+        return patches_ink(b, overlap, tiles_per_px, d, of_patch);
     }
+    let corners = corner_weights(&b.mesh, point.face, frame_place(form, b.scene, point.p_world));
+    lapped_ink(b, point.face, corners, tiles_per_px, d, of_patch)
 }

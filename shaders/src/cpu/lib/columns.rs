@@ -14,6 +14,9 @@ pub fn column_coordinate(form: Form, material: &Material, d: f64) -> f64 {
     if form == Form::Literal {
         return d.clamp(0.0, 1.0) * f64::from(n);
     }
+    if material.columns_per_tone > 0.0 {
+        return (d * material.columns_per_tone).clamp(0.0, f64::from(n));
+    }
     let guess = ((d.max(0.0) / column_tone(material, n).max(1e-6) * f64::from(n)) as u32).min(n - 1);
     let (mut low, mut high) = if column_tone(material, guess) > d {
         (0, guess)
@@ -43,6 +46,27 @@ pub fn wanted_level(material: &Material, tiles_per_px: f64) -> f64 {
 /// The same among those there are.
 pub fn map_level(material: &Material, tiles_per_px: f64) -> f64 {
     wanted_level(material, tiles_per_px).clamp(0.0, material.level_count - 1.0)
+}
+
+/// The scale at which a map is sampled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// Footprint of a pixel.
+    pub tiles_per_px: f64,
+    /// The level that fits it.
+    pub level: f64,
+}
+
+/// The scale for a footprint.
+pub fn map_scale(material: &Material, tiles_per_px: f64) -> Scale {
+    Scale { tiles_per_px, level: map_level(material, tiles_per_px) }
+}
+
+/// Columns to a darkness of 1 where these tones, without white, are evenly spaced; 0: they are not.
+pub fn columns_per_tone(tones: &[f64]) -> f64 {
+    let (count, darkest) = (tones.len() as f64, tones.last().copied().unwrap_or_default());
+    let is_even = |(k, tone): (usize, &f64)| (tone - darkest * (k + 1) as f64 / count).abs() < 1e-7;
+    if darkest > 1e-6 && tones.iter().enumerate().all(is_even) { count / darkest } else { 0.0 }
 }
 
 /// Ink of an array whose layer k holds column k and column k + 1 in its two channels (column 0 is white).

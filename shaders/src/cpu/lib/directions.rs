@@ -9,10 +9,10 @@ use super::face_frame::{complex_square, fixed_tangent, unpack_shares};
 use super::mapping::triplanar_weights;
 use super::material::Material;
 use super::mesh_types::FaceFrame;
-use super::patches::{MAX_PATCHES, TURNS, entry_turn, patch_place, patch_weight, patches_at, unpack_tens};
+use super::patches::{MAX_PATCHES, OVERLAPS, Overlap, copies, overlap_weights, patch_place, seed_turn, unpack_tens};
 use super::stripes::stripe_slope;
 use super::surface::Point;
-use crate::cpu::{Bindings, Follow, Mapping};
+use crate::cpu::{Bindings, Mapping, Quad};
 
 /// Shorter gradients, in tiles or lines per pixel, have no direction.
 pub const LEAST_GRADIENT: f64 = 1e-9_f32 as f64;
@@ -54,26 +54,39 @@ pub fn rotated(place: DVec2, angle_rad: f64) -> DVec2 {
     DVec2::from_angle(angle_rad).rotate(place)
 }
 
-/// Of patches.
-pub fn patches_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 {
-    let patches = patches_at(b.patches, face, place.weights);
-    let copies = if b.options.follow == Follow::Light { TURNS } else { 1 };
-    let mut direction = DVec2::ZERO;
-    for i in 0..patches.count {
-        let weight = patch_weight(b.patches, &patches, i);
-        if weight == 0.0 {
-            continue;
-        }
-        let entry = patches.first + i;
-        let places = b.patches.entries[entry].places;
-        let [st_dx, st_dy] = [place.dx, place.dy].map(|change| patch_place(places, change));
-        for copy in 0..copies {
-            let turn = entry_turn(b.options.follow, b.patches, entry, copy);
-            let own = pattern_direction(b.material, rotated(st_dx, turn.z), rotated(st_dy, turn.z));
-            direction += weight * turn.w * own;
-        }
+/// How the places of an overlap change to the next pixel, and to the one below.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OverlapSlopes {
+    /// To the right.
+    pub dx: [DVec2; OVERLAPS],
+    /// Below.
+    pub dy: [DVec2; OVERLAPS],
+}
+
+impl OverlapSlopes {
+    /// At a fragment of a quad.
+    pub fn of(quad: &Quad<Overlap>, lane: usize) -> Self {
+        let places = |i: usize| quad.map(|overlap| overlap.places[i]);
+        Self { dx: std::array::from_fn(|i| places(i).dpdx(lane)), dy: std::array::from_fn(|i| places(i).dpdy(lane)) }
     }
-    direction
+}
+
+/// Of one patch, by its weight, from the changes of its place.
+pub fn patch_direction(b: &Bindings<'_>, st_dx: DVec2, st_dy: DVec2, seed: u32, weight: f64) -> DVec2 {
+    if weight <= 0.0 {
+        return DVec2::ZERO;
+    }
+    let of_copy = |copy| {
+        let turn = seed_turn(b.options.follow, b.patches, seed, copy);
+        weight * turn.w * pattern_direction(b.material, rotated(st_dx, turn.z), rotated(st_dy, turn.z))
+    };
+    (0..copies(b.options.follow)).map(of_copy).sum()
+}
+
+/// Of patches.
+pub fn patches_direction(b: &Bindings<'_>, overlap: &Overlap, slopes: &OverlapSlopes) -> DVec2 {
+    let weights = overlap_weights(overlap.behind).to_array();
+    (0..OVERLAPS).map(|i| patch_direction(b, slopes.dx[i], slopes.dy[i], overlap.seeds[i], weights[i])).sum()
 }
 
 /// Of lapped textures.
@@ -99,6 +112,7 @@ pub fn mapped_direction(
     b: &Bindings<'_>,
     point: &Point,
     place: &Place,
+    (overlap, slopes): (&Overlap, &OverlapSlopes),
     [dx, dy]: [DVec3; 2],
     [uv_dx, uv_dy]: [DVec2; 2],
 ) -> DVec2 {
@@ -108,7 +122,7 @@ pub fn mapped_direction(
             frame_direction(b.material, n, &b.mesh.face_frames[point.face], dx, dy)
         }
         Mapping::Triplanar => triplanar_direction(b.material, point.normal, dx, dy),
-        Mapping::Patches => patches_direction(b, point.face, place),
+        Mapping::Patches => patches_direction(b, overlap, slopes),
         Mapping::Lapped => lapped_direction(b, point.face, place),
         Mapping::Uv => pattern_direction(b.material, uv_dx, uv_dy),
     }

@@ -21,6 +21,8 @@ pub struct Material {
     pub level_count: f64,
     pub level_bias: f64,
     pub column_count: u32,
+    /// Columns to a darkness of 1 where they are evenly spaced; 0: they are not.
+    pub columns_per_tone: f64,
     pub first_face: u32,
     pub slope: f64,
     pub line_period_px: f64,
@@ -45,6 +47,7 @@ impl From<&types::Material> for Material {
             level_count: material.level_count.into(),
             level_bias: material.level_bias.into(),
             column_count: material.column_count,
+            columns_per_tone: material.columns_per_tone.into(),
             first_face: material.first_face,
             slope: material.slope.into(),
             line_period_px: material.line_period_px.into(),

@@ -17,6 +17,7 @@ pub mod material;
 pub mod mesh;
 pub mod mesh_types;
 pub mod octahedral;
+pub mod patched;
 pub mod patches;
 pub mod scene;
 pub mod stripes;

@@ -1,13 +1,16 @@
-//! Twin of `lib/patches.wgsl`: overlapping parametrisations of a surface, found per face.
+//! Twin of `lib/patches.wgsl`: overlapping parametrisations of a surface, carried by corners or found per face.
 
 use glam::{DVec2, DVec3, DVec4};
 
 use super::material::{Material, tile_uv};
-use crate::cpu::{Bindings, Follow};
-use crate::types::PatchEntry;
+use crate::cpu::Follow;
+use crate::cpu::builtin::unpack2x16unorm;
+use crate::types::{PatchCorner, PatchEntry};
 
 /// Patches of a face at most.
 pub const MAX_PATCHES: usize = 8;
+/// Patches that a fragment blends at most.
+pub const OVERLAPS: usize = 4;
 /// Copies of a patch that follows the light.
 pub const TURNS: usize = 3;
 /// Where an entry has no seed.
@@ -17,9 +20,13 @@ pub const PLACE_RANGE: f64 = 4.0;
 /// Greatest distance behind the nearest patch that a record holds, in feathers.
 pub const BEHIND_RANGE: f64 = 4.0;
 
-/// Group 3: the patches of all faces.
+/// Group 3: the patches of all corners, and of all faces.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PatchTable<'a> {
+    /// What triangles' corners see, and the seeds that they name, as [`PatchCorner`] says.
+    pub corners: &'a [[u32; 4]],
+    /// Three per face: its corners.
+    pub corner_indices: &'a [u32],
     /// Per face the first of its entries, and then their number.
     pub starts: &'a [u32],
     /// By face.
@@ -30,6 +37,30 @@ pub struct PatchTable<'a> {
     pub seeds: &'a [u32],
     /// [`TURNS`] per seed: place of the seed on the tile, angle, share.
     pub turns: &'a [DVec4],
+}
+
+/// The patches that overlap at a fragment, interpolated between the corners; those that are not there stand far behind.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Overlap {
+    /// Places on the tile.
+    pub places: [DVec2; OVERLAPS],
+    /// Distances behind the nearest, in feathers.
+    pub behind: DVec4,
+    /// The same for all corners of a triangle; [`NO_SEED`] where none is known.
+    pub seeds: [u32; OVERLAPS],
+}
+
+impl Overlap {
+    /// Between the corners of a triangle.
+    pub fn mixed(weights: DVec3, corners: [Self; 3]) -> Self {
+        let weights = weights.to_array();
+        let places = |i: usize| (0..3).map(|k| corners[k].places[i] * weights[k]).sum();
+        Self {
+            places: std::array::from_fn(places),
+            behind: (0..3).map(|k| corners[k].behind * weights[k]).sum(),
+            seeds: corners[0].seeds,
+        }
+    }
 }
 
 /// The patches of a face as a fragment sees them.
@@ -80,13 +111,40 @@ pub fn entry_seed(table: PatchTable<'_>, entry: usize) -> u32 {
     table.seeds.get(entry).copied().unwrap_or(NO_SEED)
 }
 
-/// How an entry's patch lies on the tile, in one of the copies that are drawn of it.
-pub fn entry_turn(follow: Follow, table: PatchTable<'_>, entry: usize, copy: usize) -> DVec4 {
-    let alone = DVec4::new(0.0, 0.0, 0.0, if copy == 0 { 1.0 } else { 0.0 });
-    match entry_seed(table, entry) {
-        seed if follow == Follow::Light && seed != NO_SEED => table.turns[seed as usize * TURNS + copy],
-        _ => alone,
+/// How a seed's patch lies on the tile, in one of the copies that are drawn of it.
+pub fn seed_turn(follow: Follow, table: PatchTable<'_>, seed: u32, copy: usize) -> DVec4 {
+    if follow == Follow::Light && seed != NO_SEED {
+        return table.turns[seed as usize * TURNS + copy];
     }
+    DVec4::new(0.0, 0.0, 0.0, if copy == 0 { 1.0 } else { 0.0 })
+}
+
+fn record(table: PatchTable<'_>, corner: u32) -> PatchCorner {
+    let [first, second] = [0, 1].map(|half| table.corners[2 * corner as usize + half]);
+    let [behind_ab, behind_cd, vertex, seeds] = second;
+    PatchCorner { places: first, behind: [behind_ab, behind_cd], vertex, seeds }
+}
+
+/// The vertex of a corner.
+pub fn corner_vertex(table: PatchTable<'_>, corner: u32) -> u32 {
+    record(table, corner).vertex
+}
+
+/// What a corner sees.
+pub fn corner_overlap(table: PatchTable<'_>, corner: u32) -> Overlap {
+    let PatchCorner { places, behind: [ab, cd], seeds, .. } = record(table, corner);
+    let (ab, cd) = (unpack2x16unorm(ab), unpack2x16unorm(cd));
+    Overlap {
+        places: places.map(|code| PLACE_RANGE * unpack_place(code)),
+        behind: BEHIND_RANGE * DVec4::new(ab.x, ab.y, cd.x, cd.y),
+        seeds: table.corners[seeds as usize],
+    }
+}
+
+/// The weights of the patches that overlap; all sum to 1.
+pub fn overlap_weights(behind: DVec4) -> DVec4 {
+    let weights = (1.0 - (behind - behind.min_element())).max(DVec4::ZERO);
+    weights / weights.element_sum()
 }
 
 /// Place on the tile of a place in a patch.
@@ -115,18 +173,7 @@ pub fn patch_weight(table: PatchTable<'_>, patches: &Patches, i: usize) -> f64 {
     (1.0 - (behind - patches.least)).max(0.0) / patches.sum
 }
 
-/// Places on the tile and weights of all patches of a face at a fragment, without those that weigh nothing.
-pub fn patch_patterns(b: &Bindings<'_>, face: usize, corners: DVec3) -> Vec<(DVec2, f64)> {
-    let patches = patches_at(b.patches, face, corners);
-    let copies = if b.options.follow == Follow::Light { TURNS } else { 1 };
-    let of_entry = |i: usize| {
-        let entry = patches.first + i;
-        let place = patch_place(b.patches.entries[entry].places, corners);
-        let share = patch_weight(b.patches, &patches, i);
-        (0..copies).map(move |copy| {
-            let turn = entry_turn(b.options.follow, b.patches, entry, copy);
-            (turned_uv(b.material, place, turn), share * turn.w)
-        })
-    };
-    (0..patches.count).flat_map(of_entry).filter(|(_, weight)| *weight > 0.0).collect()
+/// Copies that are drawn of a patch.
+pub fn copies(follow: Follow) -> usize {
+    if follow == Follow::Light { TURNS } else { 1 }
 }

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 use super::material::Material;
 use super::octahedral::oct_decode;
+use super::patches::Overlap;
 use super::scene::Scene;
 use crate::cpu::Bindings;
 use crate::cpu::builtin::inverse_sqrt;
@@ -32,6 +33,8 @@ pub struct FragmentIn {
     pub uv: DVec2,
     /// Triangle, counted from the first of the draw.
     pub primitive: u32,
+    /// The patches that overlap here, for passes that draw on them.
+    pub overlap: Overlap,
 }
 
 /// A surface point, as a fragment sees it.
@@ -57,7 +60,7 @@ pub fn face_of(material: &Material, input: &FragmentIn) -> usize {
 }
 
 /// A vertex of the mesh on its way to the screen.
-pub fn surface_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
+pub fn mesh_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
     let vertex = b.mesh.vertices[index as usize];
     let p = b.scene.world_from_mesh * vertex.position.extend(1.0);
     VertexOut {
@@ -66,6 +69,11 @@ pub fn surface_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
         normal: (b.scene.world_from_mesh_normal * oct_decode(vertex.normal_oct).extend(0.0)).truncate(),
         uv: b.mesh.uvs[(index as usize).min(b.mesh.uvs.len() - 1)],
     }
+}
+
+/// The vertex at a place of the index buffer, which is that vertex.
+pub fn surface_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
+    mesh_vertex(b, index)
 }
 
 /// A fragment's surface point; `front`: its front is seen.

@@ -4,11 +4,11 @@ use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::Place;
 use tam_shaders::cpu::lib::directions::{
-    direction_across, frame_direction, lapped_direction, mapped_direction, patches_direction, pattern_direction,
-    rotated, stripes_direction, triplanar_direction,
+    OverlapSlopes, direction_across, frame_direction, lapped_direction, mapped_direction, patch_direction,
+    patches_direction, pattern_direction, rotated, stripes_direction, triplanar_direction,
 };
 use tam_shaders::cpu::lib::face_frame::fixed_tangent;
-use tam_shaders::cpu::lib::patches::{MAX_PATCHES, TURNS, entry_turn, patch_place};
+use tam_shaders::cpu::lib::patches::{MAX_PATCHES, copies, corner_overlap, patch_place, seed_turn};
 use tam_shaders::cpu::lib::stripes::stripe_slope;
 use tam_shaders::cpu::lib::surface::Point;
 use tam_shaders::cpu::{Bindings, Follow, Mapping, Options};
@@ -56,10 +56,20 @@ pub(crate) fn rows() -> Vec<Row> {
         row("rotated", Pass::Debug, "vec4f(rotated(b.xy, 30.0 * a.x), 0.0, 0.0)", steps)
             .twin(|_, case| two(rotated(xy(case[1]), 30.0 * case[0].x)))
             .within(2e-5, 0.0),
-        row("patches_direction", Pass::Debug, "vec4f(patches_direction(u32(d.w), Place(a.xyz, b.xyz, c.xyz)), 0.0, 0.0)", steps)
-            .twin(|b, case| two(patches_direction(b, case[3].w as usize, &place(case))))
+        row("patch_direction", Pass::Debug, "vec4f(patch_direction(b.xy, c.xy, u32(d.w) % 20u, a.x), 0.0, 0.0)", steps)
+            .twin(|b, case| two(patch_direction(b, xy(case[1]), xy(case[2]), case[3].w as u32 % 20, case[0].x)))
             .in_options([mapped(Mapping::Patches), following])
-            .except_where(patches_are_short)
+            .except_where(|b, case| seeds_are_short(b, case, &[case[3].w as u32 % 20]))
+            .within(DIRECTION, 0.0),
+        row(
+            "patches_direction",
+            Pass::Debug,
+            "vec4f(patches_direction(corner_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
+            steps,
+        )
+            .twin(|b, case| two(patches_direction(b, &corner_overlap(b.patches, case[3].w as u32), &slopes(case))))
+            .in_options([mapped(Mapping::Patches), following])
+            .except_where(corner_is_short)
             .within(DIRECTION, 0.0),
         row("lapped_direction", Pass::Debug, "vec4f(lapped_direction(u32(d.w), Place(a.xyz, b.xyz, c.xyz)), 0.0, 0.0)", steps)
             .twin(|b, case| two(lapped_direction(b, case[3].w as usize, &place(case))))
@@ -73,14 +83,15 @@ pub(crate) fn rows() -> Vec<Row> {
         row(
             "mapped_direction",
             Pass::Debug,
-            "vec4f(mapped_direction(Point(a.xyz, d.xyz, d.xyz, 1.0, a.xy, u32(d.w)), Place(a.xyz, b.xyz, c.xyz), b.xyz, \
-             c.xyz, b.xy, c.xy), 0.0, 0.0)",
+            "vec4f(mapped_direction(Point(a.xyz, d.xyz, d.xyz, 1.0, a.xy, u32(d.w)), Place(a.xyz, b.xyz, c.xyz), \
+             corner_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx), b.xyz, c.xyz, b.xy, c.xy), 0.0, 0.0)",
             steps,
         )
         .twin(|b, case| {
             let [p, dx, dy, n] = [0, 1, 2, 3].map(|i: usize| case[i].truncate());
             let point = Point { p_world: p, normal: n, view: n, depth: 1.0, uv: xy(case[0]), face: case[3].w as usize };
-            two(mapped_direction(b, &point, &place(case), [dx, dy], [xy(case[1]), xy(case[2])]))
+            let overlap = (&corner_overlap(b.patches, case[3].w as u32), &slopes(case));
+            two(mapped_direction(b, &point, &place(case), overlap, [dx, dy], [xy(case[1]), xy(case[2])]))
         })
         .in_options(
             [Mapping::Uv, Mapping::Frames, Mapping::Triplanar, Mapping::Patches, Mapping::Lapped].map(mapped),
@@ -89,7 +100,8 @@ pub(crate) fn rows() -> Vec<Row> {
             Mapping::Uv => is_short(b, case, 1.0, DVec3::X, DVec3::Y),
             Mapping::Frames => frame_is_short(b, case, b.mesh.face_normals[case[3].w as usize].truncate()),
             Mapping::Triplanar => planes_are_short(b, case),
-            Mapping::Patches | Mapping::Lapped => patches_are_short(b, case),
+            Mapping::Patches => corner_is_short(b, case),
+            Mapping::Lapped => patches_are_short(b, case),
         })
         .within(DIRECTION + 2e-4, 0.0),
     ]
@@ -139,19 +151,35 @@ fn planes_are_short(b: &Bindings<'_>, case: &Case) -> bool {
         .any(|(s, t)| is_short(b, case, 1.0, *s, *t))
 }
 
-/// Any copy of any patch of the face. Places are within 2 tiles.
+/// Changes of the places of four patches.
+fn slopes(case: &Case) -> OverlapSlopes {
+    let of = |v: DVec4| [DVec2::new(v.x, v.y), DVec2::new(v.x, v.y), DVec2::new(v.y, v.z), DVec2::new(v.z, v.x)];
+    OverlapSlopes { dx: of(case[1]), dy: of(case[2]) }
+}
+
+fn corner_is_short(b: &Bindings<'_>, case: &Case) -> bool {
+    seeds_are_short(b, case, &corner_overlap(b.patches, case[3].w as u32).seeds)
+}
+
+/// Any of the changes of [`slopes`], turned as any copy of these seeds' patches.
+fn seeds_are_short(b: &Bindings<'_>, case: &Case, seeds: &[u32]) -> bool {
+    let (m, slopes) = (b.material.tile_from_surface, slopes(case));
+    seeds.iter().flat_map(|seed| (0..copies(b.options.follow)).map(move |copy| (*seed, copy))).any(|(seed, copy)| {
+        let angle = seed_turn(b.options.follow, b.patches, seed, copy).z;
+        let v = |st: DVec2| DVec2::new(m.z, m.w).dot(rotated(st, angle));
+        (0..4).any(|i| short(case, 1.0, DVec2::new(v(slopes.dx[i]), v(slopes.dy[i]))))
+    })
+}
+
+/// Any patch of the face. Places are within 2 tiles.
 fn patches_are_short(b: &Bindings<'_>, case: &Case) -> bool {
     let face = case[3].w as usize;
     let (first, end) = (b.patches.starts[face] as usize, b.patches.starts[face + 1] as usize);
     let m = b.material.tile_from_surface;
-    let copies = if b.options.follow == Follow::Light { TURNS } else { 1 };
     (first..end.min(first + MAX_PATCHES)).any(|entry| {
         let st = |change: DVec4| patch_place(b.patches.entries[entry].places, change.truncate());
-        (0..copies).any(|copy| {
-            let angle = entry_turn(b.options.follow, b.patches, entry, copy).z;
-            let v = |change: DVec4| DVec2::new(m.z, m.w).dot(rotated(st(change), angle));
-            short(case, 2.0, DVec2::new(v(case[1]), v(case[2])))
-        })
+        let v = |change: DVec4| DVec2::new(m.z, m.w).dot(st(change));
+        short(case, 2.0, DVec2::new(v(case[1]), v(case[2])))
     })
 }
 

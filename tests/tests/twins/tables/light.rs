@@ -3,7 +3,7 @@
 use glam::DVec4;
 use tam_shaders::Pass;
 use tam_shaders::cpu::builtin::unpack2x16snorm;
-use tam_shaders::cpu::lib::columns::{column_coordinate, map_level};
+use tam_shaders::cpu::lib::columns::{column_coordinate, map_level, map_scale};
 use tam_shaders::cpu::lib::light::{Reflectance, arriving, darkness, luminance, to_light};
 use tam_shaders::cpu::lib::material::{column_tone, reflectance, tile_uv};
 use tam_shaders::cpu::lib::octahedral::{oct_decode, oct_encode, oct_fold};
@@ -69,6 +69,17 @@ pub(crate) fn rows() -> Vec<Row> {
         row("map_level", Pass::FineTone, "vec4f(map_level(a.y), 0.0, 0.0, 0.0)", any_tone)
             .twin(|b, case| one(map_level(b.material, case[0].y)))
             .within(2e-5, 0.0),
+        row(
+            "map_scale",
+            Pass::FineTone,
+            "vec4f(map_scale(a.y).tiles_per_px, map_scale(a.y).level, 0.0, 0.0)",
+            any_tone,
+        )
+        .twin(|b, case| {
+            let scale = map_scale(b.material, case[0].y);
+            DVec4::new(scale.tiles_per_px, scale.level, 0.0, 0.0)
+        })
+        .within(2e-5, 0.0),
         // Read as they are.
         row("column_tone", Pass::FineTone, "vec4f(column_tone(u32(a.z)), 0.0, 0.0, 0.0)", any_tone)
             .twin(|b, case| one(column_tone(b.material, case[0].z as u32)))

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
-use tam_shaders::cpu::lib::blend::{blended_ink, union_darkness};
+use tam_shaders::cpu::lib::blend::{blended_ink, log2_light, union_darkness};
 use tam_shaders::cpu::lib::columns::{column_ink, map_level};
 use tam_shaders::cpu::lib::halftone::{halftone_ink, halftone_threshold, line_coverage, line_ink, line_widths};
 use tam_shaders::cpu::lib::mapping::{Mapped, Pattern};
@@ -119,15 +119,29 @@ pub(crate) fn rows() -> Vec<Row> {
         row("six_ink", Pass::SixWay, "vec4f(six_ink(c.xy, a.y, column_weights(c.z)), 0.0, 0.0, 0.0)", tone_and_level)
             .twin(|b, case| one(six_way::six_ink(b.map, xy(case[2]), case[0].y, &six_way::column_weights(case[2].z))))
             .within(SAMPLED, 0.0),
-        // A power of 1e-6 at least, by logarithms that drivers have to 1e-5.
-        row("union_darkness", Pass::FineTone, "vec4f(union_darkness(a.x, a.z), 0.0, 0.0, 0.0)", tone_and_level)
-            .twin(|_, case| one(union_darkness(case[0].x, case[0].z)))
-            .within(2e-5, 0.0),
+        // Drivers' logarithms are good to 1e-5.
+        row("log2_light", Pass::FineTone, "vec4f(log2_light(a.x), 0.0, 0.0, 0.0)", tone_and_level)
+            .twin(|_, case| one(log2_light(case[0].x)))
+            .within(2e-5, 4.0 * U),
+        // A power of 1e-6 at least.
+        row(
+            "union_darkness",
+            Pass::FineTone,
+            "vec4f(union_darkness(log2_light(a.x), a.z), 0.0, 0.0, 0.0)",
+            tone_and_level,
+        )
+        .twin(|_, case| one(union_darkness(log2_light(case[0].x), case[0].z)))
+        .within(2e-5, 0.0),
         // One sample, at a level and a place among columns that are off by little.
-        row("pattern_ink", Pass::FineTone, "vec4f(pattern_ink(c.xy, b.w, a.z), 0.0, 0.0, 0.0)", tone_and_level)
-            .twin(|b, case| one(fine_tone::pattern_ink(b, xy(case[2]), case[1].w, case[0].z)))
-            .in_both_forms()
-            .within(SAMPLED + 1e-4, 0.0),
+        row(
+            "pattern_ink",
+            Pass::FineTone,
+            "vec4f(pattern_ink(c.xy, map_scale(b.w), a.z), 0.0, 0.0, 0.0)",
+            tone_and_level,
+        )
+        .twin(|b, case| one(fine_tone::pattern_ink(b, xy(case[2]), case[1].w, case[0].z)))
+        .in_both_forms()
+        .within(SAMPLED + 1e-4, 0.0),
         // As the sketch prints it, a slope of 4 stretches the sampler's error.
         stroke_map_row()
             .in_options([with(Form::Literal, Blend::Union, PatternKind::Strokes)])
@@ -163,11 +177,16 @@ pub(crate) fn rows() -> Vec<Row> {
 }
 
 fn stroke_map_row() -> Row {
-    row("pattern_ink", Pass::StrokeMap, "vec4f(pattern_ink(c.xy, b.w, a.x), 0.0, 0.0, 0.0)", smooth_thresholds)
-        .quad_twin(|b, quad, lane| {
-            let at = quad.map(|case| Sampled { uv: xy(case[2]), tiles_per_px: case[1].w });
-            one(stroke_map::pattern_ink(b, &at, lane, quad[lane][0].x))
-        })
+    row(
+        "pattern_ink",
+        Pass::StrokeMap,
+        "vec4f(pattern_ink(c.xy, map_scale(b.w), a.x), 0.0, 0.0, 0.0)",
+        smooth_thresholds,
+    )
+    .quad_twin(|b, quad, lane| {
+        let at = quad.map(|case| Sampled { uv: xy(case[2]), tiles_per_px: case[1].w });
+        one(stroke_map::pattern_ink(b, &at, lane, quad[lane][0].x))
+    })
 }
 
 /// How much the ink of a stroke map changes where threshold and change per texel are off by the sampler's error.

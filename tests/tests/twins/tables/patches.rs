@@ -3,9 +3,11 @@
 use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::corner_weights;
-use tam_shaders::cpu::lib::blend::{lapped_ink, patches_ink, surface_ink};
+use tam_shaders::cpu::lib::blend::{lapped_ink, patch_ink, patches_ink, surface_ink};
+use tam_shaders::cpu::lib::patched::patched_vertex;
 use tam_shaders::cpu::lib::patches::{
-    entry_turn, patch_behind, patch_place, patch_weight, patches_at, turned_uv, unpack_tens,
+    NO_SEED, corner_overlap, corner_vertex, overlap_weights, patch_behind, patch_place, patch_weight, patches_at,
+    seed_turn, turned_uv, unpack_tens,
 };
 use tam_shaders::cpu::{Blend, Follow, Form, Mapping, Options, Quad, fine_tone, six_way};
 
@@ -13,7 +15,7 @@ use super::maps::SAMPLED;
 use super::{any_point, one, point, three, two};
 use crate::draw::{Case, Draw, OWN};
 use crate::row::{Row, U, row};
-use crate::setting::FACES;
+use crate::setting::{CORNERS, FACES};
 
 pub(crate) fn rows() -> Vec<Row> {
     let with = |mapping, blend| Options { mapping, blend, ..Options::default() };
@@ -34,10 +36,18 @@ pub(crate) fn rows() -> Vec<Row> {
         )
         .twin(|b, case| two(patch_place(b.patches.entries[case[3].z as usize].places, case[1].truncate())))
         .within(16.0 * U, 0.0),
-        row("entry_turn", Pass::FineTone, "entry_turn(u32(d.z), u32(d.w) % 3u)", in_a_face)
-            .twin(|b, case| entry_turn(b.options.follow, b.patches, case[3].z as usize, case[3].w as usize % 3))
-            .in_options([Follow::Surface, Follow::Light].map(|follow| Options { follow, ..Options::default() }))
-            .within(1e-30, 0.0),
+        row(
+            "seed_turn",
+            Pass::FineTone,
+            "seed_turn(select(u32(d.z) % 20u, NO_SEED, d.w > 6.5), u32(d.w) % 3u)",
+            in_a_face,
+        )
+        .twin(|b, case| {
+            let seed = if case[3].w > 6.5 { NO_SEED } else { case[3].z as u32 % 20 };
+            seed_turn(b.options.follow, b.patches, seed, case[3].w as usize % 3)
+        })
+        .in_options([Follow::Surface, Follow::Light].map(|follow| Options { follow, ..Options::default() }))
+        .within(1e-30, 0.0),
         // Sine and cosine of drivers are off by 2^-11 at most (WGSL); Mesa's by 1e-6. Places within 2, scaled by 1.3.
         row("turned_uv", Pass::FineTone, "vec4f(turned_uv(c.xy, vec4f(b.xy, 3.0 * b.z, 1.0)), 0.0, 0.0)", in_a_face)
             .twin(|b, case| {
@@ -77,39 +87,119 @@ pub(crate) fn rows() -> Vec<Row> {
             DVec4::new(patches.least + 8.0 * patches.sum, patches.first as f64, patches.count as f64, patches.corners.x)
         })
         .within(512.0 * U, 0.0),
+        // Read as they are.
+        row("corner_vertex", Pass::FineTone, "vec4f(f32(corner_vertex(u32(d.z))), 0.0, 0.0, 0.0)", at_a_corner)
+            .twin(|b, case| one(corner_vertex(b.patches, case[3].z as u32).into()))
+            .within(1e-30, 0.0),
+        // A product with 4.
+        row("corner_overlap", Pass::FineTone, "corner_overlap(u32(d.z)).places_ab", at_a_corner)
+            .twin(|b, case| {
+                let [a, b, ..] = corner_overlap(b.patches, case[3].z as u32).places;
+                DVec4::new(a.x, a.y, b.x, b.y)
+            })
+            .within(4.0 * U, 0.0),
+        row("corner_overlap", Pass::FineTone, "corner_overlap(u32(d.z)).places_cd", at_a_corner)
+            .twin(|b, case| {
+                let [.., a, b] = corner_overlap(b.patches, case[3].z as u32).places;
+                DVec4::new(a.x, a.y, b.x, b.y)
+            })
+            .within(4.0 * U, 0.0),
+        row("corner_overlap", Pass::FineTone, "corner_overlap(u32(d.z)).behind", at_a_corner)
+            .twin(|b, case| corner_overlap(b.patches, case[3].z as u32).behind)
+            .within(4.0 * U, 0.0),
+        row("corner_overlap", Pass::FineTone, "vec4f(corner_overlap(u32(d.z)).seeds % vec4u(1000003u))", at_a_corner)
+            .twin(|b, case| {
+                DVec4::from(corner_overlap(b.patches, case[3].z as u32).seeds.map(|seed| (seed % 1_000_003).into()))
+            })
+            .within(1e-30, 0.0),
+        row(
+            "overlap_of",
+            Pass::FineTone,
+            "overlap_of(PatchedIn(vec4f(0.0), vec4f(0.0), corner_overlap(u32(d.z)).behind, vec4u(1u))).behind",
+            at_a_corner,
+        )
+        .twin(|b, case| corner_overlap(b.patches, case[3].z as u32).behind)
+        .within(4.0 * U, 0.0),
+        // Differences of numbers up to 4, each a few round-offs, and a quotient by 1 at least.
+        row("overlap_weights", Pass::FineTone, "overlap_weights(corner_overlap(u32(d.z)).behind)", at_a_corner)
+            .twin(|b, case| overlap_weights(corner_overlap(b.patches, case[3].z as u32).behind))
+            .within(64.0 * U, 0.0),
+        // Two matrices times a point; clip coordinates are below 10.
+        row("patched_vertex", Pass::FineTone, "patched_vertex(u32(d.w)).clip", at_a_corner)
+            .twin(|b, case| patched_vertex(b, case[3].w as u32).0.clip)
+            .in_options([Mapping::Uv, Mapping::Patches].map(|mapping| with(mapping, Blend::Union)))
+            .within(64.0 * U, 0.0),
+        row("patched_vertex", Pass::FineTone, "patched_vertex(u32(d.w)).behind", at_a_corner)
+            .twin(|b, case| patched_vertex(b, case[3].w as u32).1.behind)
+            .in_options([Mapping::Uv, Mapping::Patches].map(|mapping| with(mapping, Blend::Union)))
+            .within(4.0 * U, 0.0),
+        // Each pattern is one sample, and up to three make a union.
+        row(
+            "patch_ink",
+            Pass::FineTone,
+            "vec4f(patch_ink(c.xy, u32(d.z) % 20u, b.x, map_scale(c.z), a.w, log2_light(a.w)), 0.0, 0.0, 0.0)",
+            at_a_corner,
+        )
+        .twin(|b, case| {
+            let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+            let seed = case[3].z as u32 % 20;
+            one(patch_ink(b, super::xy(case[2]), seed, case[1].x, case[2].z, case[0].w, &ink))
+        })
+        .in_options([
+            with(Mapping::Patches, Blend::Union),
+            with(Mapping::Patches, Blend::Linear),
+            Options { follow: Follow::Light, ..with(Mapping::Patches, Blend::Union) },
+        ])
+        .within(3.0 * SAMPLED, 0.0),
         // Each pattern is one sample; weights sum to 1, and no union is more sensitive than its patterns together.
-        row("patches_ink", Pass::FineTone, "vec4f(patches_ink(u32(d.z), b.xyz, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
-            .twin(|b, case| {
-                let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-                one(patches_ink(b, case[3].z as usize, case[1].truncate(), case[2].z, case[0].w, &ink))
-            })
-            .in_options([
-                with(Mapping::Patches, Blend::Union),
-                with(Mapping::Patches, Blend::Linear),
-                Options { follow: Follow::Light, ..with(Mapping::Patches, Blend::Union) },
-            ])
-            .within(4.0 * SAMPLED, 0.0),
-        row("lapped_ink", Pass::FineTone, "vec4f(lapped_ink(u32(d.z), b.xyz, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
-            .twin(|b, case| {
-                let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-                one(lapped_ink(b, case[3].z as usize, case[1].truncate(), case[2].z, case[0].w, &ink))
-            })
-            .in_options([with(Mapping::Lapped, Blend::Union)])
-            .within(2.0 * SAMPLED, 0.0),
+        row(
+            "patches_ink",
+            Pass::FineTone,
+            "vec4f(patches_ink(corner_overlap(u32(d.z)), map_scale(c.z), a.w), 0.0, 0.0, 0.0)",
+            at_a_corner,
+        )
+        .twin(|b, case| {
+            let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+            one(patches_ink(b, &corner_overlap(b.patches, case[3].z as u32), case[2].z, case[0].w, &ink))
+        })
+        .in_options([
+            with(Mapping::Patches, Blend::Union),
+            with(Mapping::Patches, Blend::Linear),
+            Options { follow: Follow::Light, ..with(Mapping::Patches, Blend::Union) },
+        ])
+        .within(4.0 * SAMPLED, 0.0),
+        row(
+            "lapped_ink",
+            Pass::FineTone,
+            "vec4f(lapped_ink(u32(d.z), b.xyz, map_scale(c.z), a.w), 0.0, 0.0, 0.0)",
+            in_a_face,
+        )
+        .twin(|b, case| {
+            let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+            one(lapped_ink(b, case[3].z as usize, case[1].truncate(), case[2].z, case[0].w, &ink))
+        })
+        .in_options([with(Mapping::Lapped, Blend::Union)])
+        .within(2.0 * SAMPLED, 0.0),
         // Planes are anything here, so places are far outside the faces: weights up to 3 stretch the errors. So far off
         // that pixels are as large as texels and the level counts.
-        row("surface_ink", Pass::FineTone, "vec4f(surface_ink(case_point(a, b, c, d), d.w), 0.0, 0.0, 0.0)", far_point)
-            .twin(|b, case| {
-                let points = Quad::from_fn(|_| point(case));
-                let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-                one(surface_ink(b, &points, 0, case[3].w, |_, _, _| f64::NAN, &ink))
-            })
-            .in_options([
-                with(Mapping::Patches, Blend::Linear),
-                with(Mapping::Lapped, Blend::Union),
-                Options { form: Form::Literal, ..with(Mapping::Lapped, Blend::Union) },
-            ])
-            .within(8.0 * SAMPLED, 0.0),
+        row(
+            "surface_ink",
+            Pass::FineTone,
+            "vec4f(surface_ink(case_point(a, b, c, d), corner_overlap(u32(d.z)), d.w), 0.0, 0.0, 0.0)",
+            far_point,
+        )
+        .twin(|b, case| {
+            let points = Quad::from_fn(|_| point(case));
+            let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+            let overlap = corner_overlap(b.patches, case[3].z as u32);
+            one(surface_ink(b, &points, &overlap, 0, case[3].w, |_, _, _| f64::NAN, &ink))
+        })
+        .in_options([
+            with(Mapping::Patches, Blend::Linear),
+            with(Mapping::Lapped, Blend::Union),
+            Options { form: Form::Literal, ..with(Mapping::Lapped, Blend::Union) },
+        ])
+        .within(8.0 * SAMPLED, 0.0),
         // A sum of six products.
         row(
             "weighted_tone",
@@ -122,7 +212,7 @@ pub(crate) fn rows() -> Vec<Row> {
             one(six_way::weighted_tone(b.material, &weights))
         })
         .within(16.0 * U, 0.0),
-        row("pattern_ink", Pass::SixWay, "vec4f(pattern_ink(c.xy, c.z, a.w), 0.0, 0.0, 0.0)", in_a_face)
+        row("pattern_ink", Pass::SixWay, "vec4f(pattern_ink(c.xy, map_scale(c.z), a.w), 0.0, 0.0, 0.0)", in_a_face)
             .twin(|b, case| one(six_way::pattern_ink(b, super::xy(case[2]), case[2].z, case[0].w)))
             .within(SAMPLED + 1e-4, 0.0),
     ]
@@ -139,6 +229,14 @@ fn far_point(draw: &Draw) -> Case {
 fn codes(draw: &Draw) -> Case {
     let codes = DVec4::new(draw.pick(OWN, 1 << 20) as f64, draw.pick(OWN + 1, 1024) as f64, 0.0, 0.0);
     [DVec4::ZERO, codes, DVec4::ZERO, DVec4::ZERO]
+}
+
+/// As [`in_a_face`], at a corner that sees patches, which is told twice.
+fn at_a_corner(draw: &Draw) -> Case {
+    let mut case = in_a_face(draw);
+    let corner = draw.pick(OWN + 12, CORNERS) as f64;
+    (case[3].z, case[3].w) = (corner, corner % 48.0);
+    case
 }
 
 /// A place in a face by its barycentric weights, a footprint, a tone, and one of the face's patches.

@@ -6,7 +6,7 @@ use tam_shaders::cpu::lib::mapping::{
     Mapped, footprint, frame_patterns, frame_place, map_frames, map_surface, map_triplanar, map_uv, mean_footprint,
     pattern_count, triplanar_weights,
 };
-use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, face_of, surface_point, surface_vertex};
+use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, face_of, mesh_vertex, surface_point, surface_vertex};
 use tam_shaders::cpu::{Mapping, Options};
 
 use super::{any_point, one, point, three, two, xy};
@@ -35,6 +35,9 @@ fn surface_rows() -> Vec<Row> {
         row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).uv, 0.0, 0.0)", vertex)
             .twin(|b, case| two(surface_vertex(b, case[0].x as u32).uv))
             .within(1e-30, 0.0),
+        row("mesh_vertex", Pass::Phong, "mesh_vertex(u32(a.x)).clip", vertex)
+            .twin(|b, case| mesh_vertex(b, case[0].x as u32).clip)
+            .within(64.0 * U, 0.0),
         row("to_camera", Pass::Phong, "vec4f(to_camera(a.xyz), 0.0)", fragments)
             .twin(|b, case| three(b.scene.to_camera(case[0].truncate())))
             .within(16.0 * U, 0.0),
@@ -181,7 +184,8 @@ fn patterned(mapped: &Mapped, k: usize) -> DVec4 {
 
 fn input(case: &Case, scale: f64) -> FragmentIn {
     let normal = case[1].truncate() * scale;
-    FragmentIn { p_world: case[0].truncate(), normal, uv: xy(case[3]), primitive: case[3].z as u32 }
+    let (p_world, uv) = (case[0].truncate(), xy(case[3]));
+    FragmentIn { p_world, normal, uv, primitive: case[3].z as u32, ..FragmentIn::default() }
 }
 
 /// A point with a normal of some length, or none; in one case of twenty at the camera.

@@ -410,6 +410,8 @@ mod tests {
         assert!(worker.is_busy());
         release.store(true, Ordering::Relaxed);
         wait_until(|| !worker.is_busy() && worker.shared.lock().left_behind == 0);
-        assert_eq!(worker.replies().collect::<Vec<_>>(), [3, 13]);
+        // If the others end first, it is left behind after all.
+        let replies: Vec<u32> = worker.replies().collect();
+        assert!(replies == [3, 13] || replies == [13], "{replies:?}");
     }
 }

@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 use rayon::prelude::*;
-use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, MAX_PATCHES, pack_place, pack_tens};
+use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, MAX_PATCHES, OVERLAPS, pack_place, pack_tens};
 use tam_shaders::types::PatchEntry;
 
 use super::exp_map::Visit;
@@ -15,7 +15,7 @@ use super::{PatchOptions, Patches, Seed};
 use crate::surface::field::Field;
 use crate::surface::graph::Graph;
 
-/// Patches of a triangle at most.
+/// Lapped textures of a triangle at most; patches that blend are no more than [`OVERLAPS`].
 pub const MAX_ENTRIES: usize = MAX_PATCHES;
 
 /// Patches that may overlap at a node: the feather ends before one more comes in.
@@ -80,6 +80,7 @@ pub(super) fn gather(
             seen.behind = ((seen.distance - nearest) / feather).min(BEHIND_RANGE);
         }
     });
+    leave_out(graph, &starts, &mut seen);
     let of = |node: u32| &seen[starts[node as usize]..starts[node as usize + 1]];
     let lists: Vec<Vec<Entry>> = graph
         .triangles
@@ -166,8 +167,71 @@ fn entries(graph: &Graph, triangle: [u32; 3], seen: [&[Seen]; 3]) -> Vec<Entry> 
     let greatest = |entry: &Entry| entry.behind.into_iter().fold(0.0, f64::max);
     let least = |entry: &Entry| entry.behind.into_iter().fold(f64::INFINITY, f64::min);
     let slack = entries.iter().map(greatest).fold(f64::INFINITY, f64::min);
-    entries.retain(|entry| least(entry) < 1.0 + slack);
+    // Those that stand as far behind as any have been left out, unless there are no others.
+    let all_far = entries.iter().all(|entry| least(entry) >= BEHIND_RANGE);
+    entries.retain(|entry| least(entry) < 1.0 + slack && (all_far || least(entry) < BEHIND_RANGE));
     entries.sort_by(|a, b| least(a).total_cmp(&least(b)).then(a.seed.cmp(&b.seed)));
-    entries.truncate(MAX_ENTRIES);
+    if all_far {
+        entries.truncate(OVERLAPS);
+    }
     entries
+}
+
+/// Leaves out the lightest patches of triangles that see more than [`OVERLAPS`]: at their corners these patches are put so
+/// far behind that they have no weight, so that they fade out in the triangles around and no edge shows.
+fn leave_out(graph: &Graph, starts: &[usize], seen: &mut [Seen]) {
+    let range = |node: u32| starts[node as usize]..starts[node as usize + 1];
+    let lightest = |triangle: &[u32; 3], seen: &[Seen]| {
+        let entries = entries(graph, *triangle, triangle.map(|node| &seen[range(node)]));
+        if entries.len() <= OVERLAPS {
+            return None;
+        }
+        let weights = mean_weights(&entries);
+        let mut order: Vec<usize> = (0..entries.len()).collect();
+        order.sort_by(|a, b| weights[*b].total_cmp(&weights[*a]));
+        Some((*triangle, order.split_off(OVERLAPS).into_iter().map(|i| entries[i].seed).collect::<Vec<u32>>()))
+    };
+    let mut changed = vec![true; graph.len()];
+    loop {
+        let at_changed = |triangle: &&[u32; 3]| triangle.iter().any(|node| changed[*node as usize]);
+        let out: Vec<([u32; 3], Vec<u32>)> = {
+            let seen = &*seen;
+            graph.triangles.par_iter().filter(at_changed).filter_map(|triangle| lightest(triangle, seen)).collect()
+        };
+        if out.is_empty() {
+            return;
+        }
+        changed.fill(false);
+        for (triangle, seeds) in out {
+            for node in triangle {
+                changed[node as usize] = true;
+                let at_node = seen[range(node)].iter_mut().filter(|seen| seeds.contains(&seen.seed));
+                at_node.for_each(|seen| seen.behind = BEHIND_RANGE);
+            }
+        }
+    }
+}
+
+/// The mean weight of each entry, over the corners, the middles of the sides and the middle.
+fn mean_weights(entries: &[Entry]) -> Vec<f64> {
+    const PLACES: [[f64; 3]; 7] = [
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.5, 0.5, 0.0],
+        [0.0, 0.5, 0.5],
+        [0.5, 0.0, 0.5],
+        [1.0 / 3.0; 3],
+    ];
+    let mut sums = vec![0.0; entries.len()];
+    for place in PLACES {
+        let behind = |entry: &Entry| entry.behind.iter().zip(place).map(|(behind, share)| behind * share).sum::<f64>();
+        let least = entries.iter().map(behind).fold(f64::INFINITY, f64::min);
+        let weight = |entry: &Entry| (1.0 - (behind(entry) - least)).max(0.0);
+        let total: f64 = entries.iter().map(weight).sum();
+        for (sum, entry) in sums.iter_mut().zip(entries) {
+            *sum += weight(entry) / total / PLACES.len() as f64;
+        }
+    }
+    sums
 }

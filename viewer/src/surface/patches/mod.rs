@@ -12,6 +12,7 @@ mod exp_map;
 mod fallback;
 mod seeds;
 pub(crate) mod turns;
+mod vertices;
 
 use rayon::prelude::*;
 use tam_shaders::types::PatchEntry;
@@ -25,6 +26,7 @@ use exp_map::{Explorer, Visit};
 
 pub use corners::{Entry, MAX_ENTRIES};
 pub use exp_map::exponential_map;
+pub use vertices::PatchVertices;
 
 /// How patches are made.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
