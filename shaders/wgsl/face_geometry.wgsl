@@ -20,6 +20,10 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
     let corners = face_corners(face);
     let normal = area_vector(corners);
     face_normals[face] = face_normal(corners, normal);
+    // They have no room where no pass reads them.
+    if 2u * face + 1u >= arrayLength(&face_planes) {
+        return;
+    }
     let planes = barycentric_planes(corners, normal);
     face_planes[2u * face] = planes[0];
     face_planes[2u * face + 1u] = planes[1];

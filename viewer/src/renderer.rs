@@ -200,7 +200,7 @@ impl Renderer {
         Ok(Draw {
             mesh,
             indices: corners.unwrap_or(&mesh.buffers.index_buffer),
-            placed: mesh.placed(gpu, layouts, nth),
+            placed: mesh.placed(gpu, layouts, nth, variant.faces),
             form: params.form,
             pipeline: shading.pipeline(gpu, layouts, &variant, into.formats, culled),
             variant,

@@ -99,11 +99,15 @@ fn corner_vertex(corner: u32) -> u32 {
 fn corner_overlap(corner: u32) -> Overlap {
     let places = patch_corners[2u * corner];
     let rest = patch_corners[2u * corner + 1u];
+    var seeds = vec4u(NO_SEED);
+    if FOLLOW == FOLLOW_LIGHT {
+        seeds = patch_corners[rest.w];
+    }
     return Overlap(
         PLACE_RANGE * vec4f(unpack2x16snorm(places.x), unpack2x16snorm(places.y)),
         PLACE_RANGE * vec4f(unpack2x16snorm(places.z), unpack2x16snorm(places.w)),
         BEHIND_RANGE * vec4f(unpack2x16unorm(rest.x), unpack2x16unorm(rest.y)),
-        patch_corners[rest.w],
+        seeds,
     );
 }
 

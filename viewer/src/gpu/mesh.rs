@@ -9,7 +9,7 @@ use tam_shaders::cpu::lib::octahedral::oct_encode;
 use tam_shaders::cpu::line_edges::BLOCK_EDGES;
 use tam_shaders::types::{self, NO_FACE};
 
-use super::placed::PlacedMesh;
+use super::placed::{FaceData, PlacedMesh};
 use super::surface::SurfaceBuffers;
 use super::{Gpu, GpuError, Layouts};
 use crate::mesh::{self, Mesh};
@@ -98,7 +98,7 @@ impl GpuMesh {
             edge_count: edges.len() as u32,
             blocks: edges.len().div_ceil(BLOCK_EDGES) as u32,
         };
-        let first = PlacedMesh::new(gpu, layouts, &buffers);
+        let first = PlacedMesh::new(gpu, layouts, &buffers, FaceData::default());
         Ok(Self {
             buffers,
             surface: SurfaceBuffers::new(gpu, layouts, &[], None)?,
@@ -114,11 +114,15 @@ impl GpuMesh {
         })
     }
 
-    /// Where the `nth` object of a frame stands that shows this mesh.
-    pub(crate) fn placed(&self, gpu: &Gpu, layouts: &Layouts, nth: usize) -> Arc<PlacedMesh> {
+    /// Where the `nth` object of a frame stands that shows this mesh, with room for this of its faces.
+    pub(crate) fn placed(&self, gpu: &Gpu, layouts: &Layouts, nth: usize, faces: FaceData) -> Arc<PlacedMesh> {
         let mut placed = self.places();
         while placed.len() <= nth {
-            placed.push(Arc::new(PlacedMesh::new(gpu, layouts, &self.buffers)));
+            placed.push(Arc::new(PlacedMesh::new(gpu, layouts, &self.buffers, faces)));
+        }
+        let all = placed[nth].faces.and(faces);
+        if placed[nth].faces != all {
+            placed[nth] = Arc::new(PlacedMesh::new(gpu, layouts, &self.buffers, all));
         }
         Arc::clone(&placed[nth])
     }
@@ -154,18 +158,13 @@ impl GpuMesh {
 
     /// Bytes of all its buffers on the GPU: the upload, the surface, and what is computed where its objects stand.
     pub fn bytes(&self) -> u64 {
-        self.own_bytes() + self.surface.bytes()
+        let places: u64 = self.places().iter().map(|placed| PlacedMesh::bytes(placed.faces, &self.buffers)).sum();
+        self.bytes + places + self.surface.bytes()
     }
 
     /// Bytes of the buffers that a way to draw reads: the mesh with its faces, and of the surface what its strokes lie by.
     pub fn bytes_for(&self, params: &RenderParams) -> u64 {
-        self.own_bytes() + self.surface.bytes_for(params)
-    }
-
-    fn own_bytes(&self) -> u64 {
-        let Buffers { triangle_count, edge_count, blocks, .. } = self.buffers;
-        let each = PlacedMesh::bytes(triangle_count.into(), edge_count.into(), blocks.into());
-        self.bytes + each * self.places().len() as u64
+        self.bytes + PlacedMesh::bytes(FaceData::of(params), &self.buffers) + self.surface.bytes_for(params)
     }
 }
 

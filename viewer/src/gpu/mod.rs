@@ -20,6 +20,6 @@ pub use views::{TargetFormats, TargetViews};
 
 pub(crate) use layouts::Layouts;
 pub(crate) use map::MapTextures;
-pub(crate) use placed::{FramesKey, GeometryKey, PlacedMesh};
+pub(crate) use placed::{FaceData, FramesKey, GeometryKey, PlacedMesh};
 pub(crate) use surface::SurfaceBuffers;
 pub(crate) use uniforms::{Offsets, Uniforms};

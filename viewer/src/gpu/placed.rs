@@ -7,9 +7,12 @@ use tam_shaders::types;
 
 use super::mesh::Buffers;
 use super::{Gpu, Layouts};
+use crate::params::{FaceFrameForm, Mapping, Method, RenderParams};
 
 /// What belongs to a mesh at one place.
 pub(crate) struct PlacedMesh {
+    /// What there is of the faces.
+    pub faces: FaceData,
     /// How the edges that are lines are drawn: written by the pass that lists them.
     pub line_arguments: wgpu::Buffer,
     /// What the face buffers hold.
@@ -51,24 +54,60 @@ pub(crate) struct FramesKey {
     pub light_count: u32,
 }
 
-/// Bytes that each triangle takes: normal, plane and frame.
-const FACE_BYTES: u64 = 16 + 32 + 32;
+/// What is known of the faces beside their normals, which lines are found by: only what some way to draw reads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(crate) struct FaceData {
+    /// Where in its face a fragment is.
+    pub planes: bool,
+    /// Frames of the light.
+    pub frames: bool,
+}
 
-impl PlacedMesh {
-    /// Bytes of its buffers, for a mesh of so many triangles and edges.
-    pub(crate) fn bytes(triangles: u64, edges: u64, blocks: u64) -> u64 {
-        triangles * FACE_BYTES + edges * 4 + blocks * 8 + size_of::<[u32; 4]>() as u64
+impl FaceData {
+    /// What the strokes of a look read.
+    pub(crate) fn of(params: &RenderParams) -> Self {
+        let RenderParams { method, mapping, face_frame, .. } = *params;
+        match method {
+            Method::FaceFrame => {
+                Self { planes: face_frame == FaceFrameForm::Fetched, frames: face_frame != FaceFrameForm::Vertex }
+            }
+            Method::Stripes => Self { planes: true, frames: false },
+            method if method.takes_mapping() => {
+                Self { planes: mapping == Mapping::Lapped, frames: mapping == Mapping::Frames }
+            }
+            _ => Self::default(),
+        }
     }
 
-    pub(crate) fn new(gpu: &Gpu, layouts: &Layouts, mesh: &Buffers) -> Self {
+    /// What is in either.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self { planes: self.planes || other.planes, frames: self.frames || other.frames }
+    }
+
+    /// Bytes for so many triangles, each with its normal, two planes, and a frame; the least that can be bound stands for
+    /// what is not there.
+    fn bytes(self, triangles: u64) -> [u64; 3] {
+        [16 * triangles, if self.planes { 32 * triangles } else { 16 }, if self.frames { 32 * triangles } else { 32 }]
+    }
+}
+
+impl PlacedMesh {
+    /// Bytes of its buffers where they are made for this, for a mesh of so many triangles and edges.
+    pub(crate) fn bytes(faces: FaceData, mesh: &Buffers) -> u64 {
+        let Buffers { triangle_count, edge_count, blocks, .. } = *mesh;
+        let faces: u64 = faces.bytes(triangle_count.into()).iter().sum();
+        faces + u64::from(edge_count) * 4 + u64::from(blocks) * 8 + size_of::<[u32; 4]>() as u64
+    }
+
+    pub(crate) fn new(gpu: &Gpu, layouts: &Layouts, mesh: &Buffers, faces: FaceData) -> Self {
         let Buffers {
             vertices, uvs, indices, neighbours, provoking, edges, triangle_count, edge_count, blocks, ..
         } = mesh;
-        let triangles = u64::from(*triangle_count);
+        let [normals, planes, frames] = faces.bytes((*triangle_count).into());
         let computed = |label, bytes| computed(gpu, label, bytes, wgpu::BufferUsages::COPY_SRC);
-        let face_normals = computed("face_normals", triangles * 16);
-        let face_planes = computed("face_planes", triangles * 32);
-        let face_frames = computed("face_frames", triangles * 32);
+        let face_normals = computed("face_normals", normals);
+        let face_planes = computed("face_planes", planes);
+        let face_frames = computed("face_frames", frames);
         let listed = computed("listed", u64::from(*edge_count) * 4);
         // Which edges of a block are lines, and how many before it.
         let [marks, before] = ["marks", "before"].map(|label| computed(label, u64::from(*blocks) * 4));
@@ -116,7 +155,7 @@ impl PlacedMesh {
             ),
             lines: group("lines", &layouts.lines, &[(0, edges), (1, &listed)]),
         };
-        Self { line_arguments, computed: Mutex::default(), groups }
+        Self { faces, line_arguments, computed: Mutex::default(), groups }
     }
 }
 

@@ -5,7 +5,7 @@ use tam_shaders::cpu::DebugView as Shown;
 
 use super::Variant;
 use super::shading::method_variant;
-use crate::gpu::{GpuMesh, MapKind};
+use crate::gpu::{FaceData, GpuMesh, MapKind};
 use crate::params::{DebugView, Follow, Mapping, Method, RenderParams};
 
 /// The variant of a view. What the method or the mesh has nothing of is shown as none; nothing fails.
@@ -21,7 +21,8 @@ pub(super) fn variant(view: DebugView, params: &RenderParams, mesh: &GpuMesh) ->
     };
     let mut variant =
         Variant::new(Pass::Debug, kind(view, params)).mapped(&RenderParams { mapping, follow, ..*params });
-    variant.frames = shown == Shown::Frames && mapping == Mapping::Frames;
+    let frames = shown == Shown::Frames && mapping == Mapping::Frames;
+    variant.faces = FaceData { planes: true, frames };
     variant.with("DEBUG", shown as u32)
 }
 

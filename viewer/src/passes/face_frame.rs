@@ -9,11 +9,11 @@ use crate::params::{FaceFrameForm, RenderParams};
 
 pub(super) fn variant(params: &RenderParams) -> Variant {
     let form = form_constant(params.form);
-    let fetched = Variant { frames: true, ..Variant::new(Pass::FaceFrame, MapKind::Columns) };
+    let fetched = Variant::new(Pass::FaceFrame, MapKind::Columns);
     let vertex = Variant { unindexed: true, ..Variant::new(Pass::FaceFrameVertex, MapKind::Columns) };
     match params.face_frame {
         FaceFrameForm::Fetched => fetched.with("FORM", form),
         FaceFrameForm::Vertex => vertex.with("FORM", form).with("FRAMES", 0),
-        FaceFrameForm::VertexFetched => Variant { frames: true, ..vertex }.with("FORM", form).with("FRAMES", 1),
+        FaceFrameForm::VertexFetched => vertex.with("FORM", form).with("FRAMES", 1),
     }
 }

@@ -65,7 +65,7 @@ impl Faces {
         let computed = draw.placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
         Due {
             geometry: (computed.geometry != Some(geometry)).then_some(geometry),
-            frames: (draw.variant.frames && computed.frames != Some(key)).then_some(key),
+            frames: (draw.variant.faces.frames && computed.frames != Some(key)).then_some(key),
         }
     }
 

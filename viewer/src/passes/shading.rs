@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use tam_shaders::{Pass, compose, cpu};
 
 use super::{debug, face_frame, fine_tone, phong, six_way, stripes, stroke_map};
-use crate::gpu::{Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats};
+use crate::gpu::{FaceData, Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats};
 use crate::params::{Blend, DebugView, Follow, Form, Mapping, Method, RenderParams};
 use crate::renderer::Draw;
 
@@ -19,15 +19,15 @@ pub(crate) struct Variant {
     pub kind: MapKind,
     /// Three vertices a face instead of shared ones.
     pub unindexed: bool,
-    /// Whether fragments read the frames of the faces.
-    pub frames: bool,
+    /// What of the faces it reads.
+    pub faces: FaceData,
     /// Whether an index names a corner with its patches, not a vertex.
     pub on_patches: bool,
 }
 
 impl Variant {
     pub(crate) fn new(pass: Pass, kind: MapKind) -> Self {
-        Self { pass, constants: Vec::new(), kind, unindexed: false, frames: false, on_patches: false }
+        Self { pass, constants: Vec::new(), kind, unindexed: false, faces: FaceData::default(), on_patches: false }
     }
 
     pub(crate) fn with(mut self, name: &'static str, constant: u32) -> Self {
@@ -37,7 +37,6 @@ impl Variant {
 
     /// The overrides that all mapped methods have.
     pub(crate) fn mapped(mut self, params: &RenderParams) -> Self {
-        self.frames = params.mapping == Mapping::Frames;
         let follows = params.mapping == Mapping::Patches && params.follow == Follow::Light;
         self.on_patches = params.mapping == Mapping::Patches;
         let this = self.with("FOLLOW", u32::from(follows));
@@ -56,7 +55,7 @@ pub(crate) fn variant(params: &RenderParams, shown: Option<DebugView>, mesh: &Gp
 
 /// The variant of a method.
 pub(super) fn method_variant(params: &RenderParams) -> Variant {
-    match params.method {
+    let variant = match params.method {
         Method::Phong => phong::variant(),
         Method::SixWay => six_way::variant(params),
         Method::FaceFrame => face_frame::variant(params),
@@ -64,7 +63,8 @@ pub(super) fn method_variant(params: &RenderParams) -> Variant {
         Method::Halftone => stroke_map::lines(params),
         Method::FineTone => fine_tone::variant(params),
         Method::Stripes => stripes::variant(params),
-    }
+    };
+    Variant { faces: FaceData::of(params), ..variant }
 }
 
 #[derive(Clone, PartialEq, Eq, Hash)]

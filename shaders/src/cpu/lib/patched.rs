@@ -7,7 +7,7 @@ use crate::cpu::{Bindings, Mapping};
 /// What the vertex at an index hands on: where patches are drawn on, the index names a corner, with what it sees of them.
 pub fn patched_vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap) {
     if b.options.mapping == Mapping::Patches {
-        return (mesh_vertex(b, corner_vertex(b.patches, index)), corner_overlap(b.patches, index));
+        return (mesh_vertex(b, corner_vertex(b.patches, index)), corner_overlap(b.options.follow, b.patches, index));
     }
     (surface_vertex(b, index), Overlap::default())
 }

@@ -130,14 +130,14 @@ pub fn corner_vertex(table: PatchTable<'_>, corner: u32) -> u32 {
     record(table, corner).vertex
 }
 
-/// What a corner sees.
-pub fn corner_overlap(table: PatchTable<'_>, corner: u32) -> Overlap {
+/// What a corner sees; seeds only where patches turn.
+pub fn corner_overlap(follow: Follow, table: PatchTable<'_>, corner: u32) -> Overlap {
     let PatchCorner { places, behind: [ab, cd], seeds, .. } = record(table, corner);
     let (ab, cd) = (unpack2x16unorm(ab), unpack2x16unorm(cd));
     Overlap {
         places: places.map(|code| PLACE_RANGE * unpack_place(code)),
         behind: BEHIND_RANGE * DVec4::new(ab.x, ab.y, cd.x, cd.y),
-        seeds: table.corners[seeds as usize],
+        seeds: if follow == Follow::Light { table.corners[seeds as usize] } else { [NO_SEED; OVERLAPS] },
     }
 }
 

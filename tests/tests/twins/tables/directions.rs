@@ -67,7 +67,7 @@ pub(crate) fn rows() -> Vec<Row> {
             "vec4f(patches_direction(corner_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
             steps,
         )
-            .twin(|b, case| two(patches_direction(b, &corner_overlap(b.patches, case[3].w as u32), &slopes(case))))
+            .twin(|b, case| two(patches_direction(b, &corner_overlap(b.options.follow, b.patches, case[3].w as u32), &slopes(case))))
             .in_options([mapped(Mapping::Patches), following])
             .except_where(corner_is_short)
             .within(DIRECTION, 0.0),
@@ -90,7 +90,7 @@ pub(crate) fn rows() -> Vec<Row> {
         .twin(|b, case| {
             let [p, dx, dy, n] = [0, 1, 2, 3].map(|i: usize| case[i].truncate());
             let point = Point { p_world: p, normal: n, view: n, depth: 1.0, uv: xy(case[0]), face: case[3].w as usize };
-            let overlap = (&corner_overlap(b.patches, case[3].w as u32), &slopes(case));
+            let overlap = (&corner_overlap(b.options.follow, b.patches, case[3].w as u32), &slopes(case));
             two(mapped_direction(b, &point, &place(case), overlap, [dx, dy], [xy(case[1]), xy(case[2])]))
         })
         .in_options(
@@ -158,7 +158,7 @@ fn slopes(case: &Case) -> OverlapSlopes {
 }
 
 fn corner_is_short(b: &Bindings<'_>, case: &Case) -> bool {
-    seeds_are_short(b, case, &corner_overlap(b.patches, case[3].w as u32).seeds)
+    seeds_are_short(b, case, &corner_overlap(b.options.follow, b.patches, case[3].w as u32).seeds)
 }
 
 /// Any of the changes of [`slopes`], turned as any copy of these seeds' patches.

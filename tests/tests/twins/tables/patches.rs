@@ -94,23 +94,28 @@ pub(crate) fn rows() -> Vec<Row> {
         // A product with 4.
         row("corner_overlap", Pass::FineTone, "corner_overlap(u32(d.z)).places_ab", at_a_corner)
             .twin(|b, case| {
-                let [a, b, ..] = corner_overlap(b.patches, case[3].z as u32).places;
+                let [a, b, ..] = corner_overlap(b.options.follow, b.patches, case[3].z as u32).places;
                 DVec4::new(a.x, a.y, b.x, b.y)
             })
             .within(4.0 * U, 0.0),
         row("corner_overlap", Pass::FineTone, "corner_overlap(u32(d.z)).places_cd", at_a_corner)
             .twin(|b, case| {
-                let [.., a, b] = corner_overlap(b.patches, case[3].z as u32).places;
+                let [.., a, b] = corner_overlap(b.options.follow, b.patches, case[3].z as u32).places;
                 DVec4::new(a.x, a.y, b.x, b.y)
             })
             .within(4.0 * U, 0.0),
         row("corner_overlap", Pass::FineTone, "corner_overlap(u32(d.z)).behind", at_a_corner)
-            .twin(|b, case| corner_overlap(b.patches, case[3].z as u32).behind)
+            .twin(|b, case| corner_overlap(b.options.follow, b.patches, case[3].z as u32).behind)
             .within(4.0 * U, 0.0),
         row("corner_overlap", Pass::FineTone, "vec4f(corner_overlap(u32(d.z)).seeds % vec4u(1000003u))", at_a_corner)
             .twin(|b, case| {
-                DVec4::from(corner_overlap(b.patches, case[3].z as u32).seeds.map(|seed| (seed % 1_000_003).into()))
+                DVec4::from(
+                    corner_overlap(b.options.follow, b.patches, case[3].z as u32)
+                        .seeds
+                        .map(|seed| (seed % 1_000_003).into()),
+                )
             })
+            .in_options([Follow::Surface, Follow::Light].map(|follow| Options { follow, ..Options::default() }))
             .within(1e-30, 0.0),
         row(
             "overlap_of",
@@ -118,11 +123,11 @@ pub(crate) fn rows() -> Vec<Row> {
             "overlap_of(PatchedIn(vec4f(0.0), vec4f(0.0), corner_overlap(u32(d.z)).behind, vec4u(1u))).behind",
             at_a_corner,
         )
-        .twin(|b, case| corner_overlap(b.patches, case[3].z as u32).behind)
+        .twin(|b, case| corner_overlap(b.options.follow, b.patches, case[3].z as u32).behind)
         .within(4.0 * U, 0.0),
         // Differences of numbers up to 4, each a few round-offs, and a quotient by 1 at least.
         row("overlap_weights", Pass::FineTone, "overlap_weights(corner_overlap(u32(d.z)).behind)", at_a_corner)
-            .twin(|b, case| overlap_weights(corner_overlap(b.patches, case[3].z as u32).behind))
+            .twin(|b, case| overlap_weights(corner_overlap(b.options.follow, b.patches, case[3].z as u32).behind))
             .within(64.0 * U, 0.0),
         // Two matrices times a point; clip coordinates are below 10.
         row("patched_vertex", Pass::FineTone, "patched_vertex(u32(d.w)).clip", at_a_corner)
@@ -160,7 +165,13 @@ pub(crate) fn rows() -> Vec<Row> {
         )
         .twin(|b, case| {
             let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-            one(patches_ink(b, &corner_overlap(b.patches, case[3].z as u32), case[2].z, case[0].w, &ink))
+            one(patches_ink(
+                b,
+                &corner_overlap(b.options.follow, b.patches, case[3].z as u32),
+                case[2].z,
+                case[0].w,
+                &ink,
+            ))
         })
         .in_options([
             with(Mapping::Patches, Blend::Union),
@@ -191,7 +202,7 @@ pub(crate) fn rows() -> Vec<Row> {
         .twin(|b, case| {
             let points = Quad::from_fn(|_| point(case));
             let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-            let overlap = corner_overlap(b.patches, case[3].z as u32);
+            let overlap = corner_overlap(b.options.follow, b.patches, case[3].z as u32);
             one(surface_ink(b, &points, &overlap, 0, case[3].w, |_, _, _| f64::NAN, &ink))
         })
         .in_options([

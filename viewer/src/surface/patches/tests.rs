@@ -203,7 +203,7 @@ fn corners_carry_the_patches_of_their_triangles_and_triangles_share_them() {
                 for (k, vertex) in triangle.iter().enumerate() {
                     let corner = vertices.indices[3 * face + k];
                     assert_eq!(corner_vertex(table, corner), *vertex);
-                    let overlap = corner_overlap(table, corner);
+                    let overlap = corner_overlap(follow.into(), table, corner);
                     // Of each patch its place and distance, in any order; those that are not there are as far as can be.
                     for entry in patches.of(face) {
                         let is_it = |i: &usize| {
