@@ -36,7 +36,9 @@ impl Canvas {
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
                 format: SHOWN,
-                usage: wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING,
+                usage: wgpu::TextureUsages::COPY_DST
+                    | wgpu::TextureUsages::COPY_SRC
+                    | wgpu::TextureUsages::TEXTURE_BINDING,
                 view_formats: &[],
             })
         });
@@ -102,6 +104,15 @@ impl Canvas {
     /// [`GpuError::Lost`] or [`GpuError::Failed`].
     pub fn read(&self) -> Result<RgbaImage, GpuError> {
         Ok(self.target.read(&self.gpu)?.into_image())
+    }
+
+    /// The same of what is shown.
+    #[cfg(test)]
+    pub(super) fn read_shown(&self) -> Result<RgbaImage, GpuError> {
+        let shown = self.copied.as_ref().unwrap_or(self.target.texture());
+        let back = self.target.beside(&self.gpu);
+        self.gpu.copy(shown.as_image_copy(), back.texture().as_image_copy(), shown.size());
+        Ok(back.read(&self.gpu)?.into_image())
     }
 }
 

@@ -387,6 +387,7 @@ mod tests {
             for bands in [2, 3, 12, 400] {
                 let painted = painter.paint_in_bands(&shot, bands, &|| true).expect("a picture").expect("it is wanted");
                 assert!(painted.canvas.read().expect("a device") == whole, "{samples} samples in {bands} bands");
+                assert!(painted.canvas.read_shown().expect("a device") == whole, "{samples} samples in {bands} bands");
             }
             gpu.has_view_formats = true;
         }

@@ -12,7 +12,7 @@ mod exp_map;
 mod fallback;
 mod seeds;
 pub(crate) mod turns;
-mod vertices;
+pub mod vertices;
 
 use rayon::prelude::*;
 use tam_shaders::types::PatchEntry;

@@ -1,5 +1,57 @@
 //! Patches as vertex data: what each corner of a triangle sees of them. Corners of neighbouring triangles at one vertex
 //! that see the same patches are one.
+//!
+//! # Layout
+//!
+//! A triangle sees one to four patches, in the order of their seeds; all its corners have the same ones in the same order, so
+//! that everything may be interpolated. A corner is 32 bytes, [`PatchCorner`], little-endian:
+//!
+//! | bytes | what | code | range |
+//! | --- | --- | --- | --- |
+//! | 0–15 | place on the tile in each of four patches | two 16-bit snorm, s and then t | -4..=4 tiles, in steps of 1.2e-4 |
+//! | 16–23 | how far each patch stands behind the nearest | four 16-bit unorm | 0..=4 feathers, in steps of 6.1e-5 |
+//! | 24–27 | the vertex of the mesh that stands there | u32 | |
+//! | 28–31 | which of the records of seeds is its patches' | u32 | |
+//!
+//! What is not there stands 4 feathers behind, and has no weight. Places say where on the tile a stroke is, in repeats of the
+//! tile: the texture is sampled there, repeated. Only patches that turn with the light name their seeds, about which their
+//! places turn. Indices, three to a triangle, are in the order of the mesh's triangles.
+//!
+//! # What a fragment does with it
+//!
+//! With all of it interpolated, patch i has the weight `max(0, 1 - (behind[i] - least behind))` over the sum of all four, which
+//! is continuous across all edges. Weights made at the corners and then interpolated would be others. The patterns are joined
+//! by union: for a darkness D each is drawn at `1 - (1 - D)^weight`, and the paper that is left is the product of what each
+//! leaves.
+//!
+//! ```
+//! use tam_viewer::mesh::{prepare, sample::Sample};
+//! use tam_viewer::surface::patches::PatchVertices;
+//! use tam_viewer::surface::{PatchOptions, Surface, SurfaceOptions};
+//!
+//! let mesh = prepare(Sample::Sphere.build(2_000))?.mesh;
+//! let options = SurfaceOptions { patches: Some(PatchOptions::default()), ..SurfaceOptions::default() };
+//! let patches = Surface::new(&mesh, &options)?.patches.unwrap();
+//! let vertices = PatchVertices::new(&mesh.triangles, &patches);
+//!
+//! // In the middle of the first triangle:
+//! let corners = [0, 1, 2].map(|k| vertices.corners[vertices.indices[k] as usize]);
+//! let snorm = |code: u32| f64::from(code as u16 as i16) / 32767.0;
+//! let mean = |of: &dyn Fn(usize) -> f64| (0..3).map(of).sum::<f64>() / 3.0;
+//! let place = |i: usize| [0, 16].map(|shift| 4.0 * mean(&|k| snorm(corners[k].places[i] >> shift)));
+//! let unorm = |k: usize, i: usize| f64::from(corners[k].behind[i / 2] >> (16 * (i % 2)) & 0xffff) / 65535.0;
+//! let behind = [0, 1, 2, 3].map(|i| 4.0 * mean(&|k| unorm(k, i)));
+//! let least = behind.into_iter().fold(f64::INFINITY, f64::min);
+//! let weights = behind.map(|behind| (1.0 - (behind - least)).max(0.0));
+//! let sum: f64 = weights.iter().sum();
+//! let strokes_at = |uv: [f64; 2], darkness: f64| if uv[1].rem_euclid(0.1) < 0.1 * darkness { 1.0 } else { 0.0 };
+//! let clear: f64 = (0..4)
+//!     .map(|i| 1.0 - strokes_at(place(i), 1.0 - (1.0 - 0.5f64).powf(weights[i] / sum)))
+//!     .product();
+//! let ink = 1.0 - clear;
+//! assert!(weights.contains(&1.0) && (0.0..=1.0).contains(&ink));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use glam::DVec2;
 use rayon::prelude::*;
