@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use glam::DVec2;
-use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, PLACE_RANGE, unpack_tens};
+use tam_shaders::cpu::lib::patches::PLACE_RANGE;
 use tam_shaders::types::StripePhases;
 
 use super::build::{Surface, SurfaceOptions};
@@ -59,8 +59,10 @@ struct StoredPatches {
     starts: Vec<u32>,
     /// Of each entry its seed.
     entry_seeds: Vec<u32>,
-    /// Four numbers an entry.
-    entries: Vec<u32>,
+    /// Three an entry: its places, as shaders read them.
+    places: Vec<u32>,
+    /// Three an entry: its distances or alphas.
+    shares: Vec<u16>,
     /// Of each entry its rows; empty without stripes.
     rows: Vec<u32>,
     tiles_per_unit: f64,
@@ -167,7 +169,8 @@ impl StoredPatches {
             seeds: patches.seeds.clone(),
             starts: patches.starts.clone(),
             entry_seeds: patches.entries.iter().map(|entry| entry.seed).collect(),
-            entries: bytemuck::cast_slice(&patches.packed()).to_vec(),
+            places: patches.packed().iter().flat_map(|entry| entry.places).collect(),
+            shares: patches.entries.iter().flat_map(|entry| entry.share_codes(patches.lapped)).collect(),
             rows: patches.rows.clone(),
             tiles_per_unit: patches.tiles_per_unit,
             follow: patches.follow,
@@ -183,19 +186,20 @@ impl StoredPatches {
         });
         let seeds = self.entry_seeds.iter().all(|seed| *seed == u32::MAX || (*seed as usize) < self.seeds.len())
             && self.seeds.iter().all(|seed| (seed.node as usize) < nodes);
-        let lengths =
-            self.starts.len() == faces + 1 && self.entries.len() == 4 * count && [0, count].contains(&self.rows.len());
+        let lengths = self.starts.len() == faces + 1
+            && [self.places.len(), self.shares.len()] == [3 * count; 2]
+            && [0, count].contains(&self.rows.len());
         if !(ends && steps && seeds && lengths && self.tiles_per_unit.is_normal() && self.tiles_per_unit > 0.0) {
             return Err(StoreError::Damaged);
         }
-        let range = if self.lapped { 1.0 } else { BEHIND_RANGE };
-        let entry = |(seed, words): (&u32, &[u32])| Entry {
+        let (places, shares) = (self.places.as_chunks::<3>().0, self.shares.as_chunks::<3>().0);
+        let entry = |((seed, places), shares): ((&u32, &[u32; 3]), &[u16; 3])| Entry {
             seed: *seed,
-            uv: [words[0], words[1], words[2]].map(place),
-            behind: (unpack_tens(words[3]) * range).to_array(),
+            uv: places.map(place),
+            behind: Entry::shares_of(*shares, self.lapped),
         };
         Ok(Patches {
-            entries: self.entry_seeds.iter().zip(self.entries.chunks_exact(4)).map(entry).collect(),
+            entries: self.entry_seeds.iter().zip(places).zip(shares).map(entry).collect(),
             rows: self.rows,
             seeds: self.seeds,
             starts: self.starts,
@@ -255,6 +259,8 @@ mod tests {
             let [found, expected] = [found, expected].map(|patches| patches.as_ref().expect("patches"));
             assert_eq!(found.packed(), expected.packed());
             assert_eq!(found.packed_starts(), expected.packed_starts());
+            let shares = |patches: &Patches| patches.entries.iter().map(|entry| entry.behind).collect::<Vec<_>>();
+            assert!(shares(found) == shares(expected), "to the last bit");
             assert_eq!(found.seeds, expected.seeds);
         }
     }

@@ -74,7 +74,8 @@ pub fn lapped(graph: &Graph, field: &Field, options: &LappedOptions) -> Result<P
         tiles_per_unit: options.tiles_per_unit,
         follow: Follow::Surface,
         lapped: true,
-    })
+    }
+    .in_steps())
 }
 
 /// Patches pasted until all triangles are covered, and their seeds.

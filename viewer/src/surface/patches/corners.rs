@@ -37,9 +37,30 @@ pub struct Entry {
 }
 
 impl Entry {
+    /// The greatest of `behind`.
+    fn range(lapped: bool) -> f64 {
+        if lapped { 1.0 } else { BEHIND_RANGE }
+    }
+
+    /// Its distances or alphas as 16-bit unorm.
+    pub(in crate::surface) fn share_codes(&self, lapped: bool) -> [u16; 3] {
+        self.behind.map(|share| (share / Self::range(lapped) * 65535.0).round() as u16)
+    }
+
+    /// Those of such codes.
+    pub(in crate::surface) fn shares_of(codes: [u16; 3], lapped: bool) -> [f64; 3] {
+        codes.map(|code| f64::from(code) / 65535.0 * Self::range(lapped))
+    }
+
+    /// The same, its distances or alphas rounded to the steps of their codes.
+    #[must_use]
+    pub(in crate::surface) fn in_steps(self, lapped: bool) -> Self {
+        Self { behind: Self::shares_of(self.share_codes(lapped), lapped), ..self }
+    }
+
     /// As the shaders read it; `lapped` as in [`Patches::lapped`].
     pub fn packed(&self, lapped: bool) -> PatchEntry {
-        let range = if lapped { 1.0 } else { BEHIND_RANGE };
+        let range = Self::range(lapped);
         PatchEntry { places: self.uv.map(pack_place), shares: pack_tens(self.behind.map(|behind| behind / range)) }
     }
 }

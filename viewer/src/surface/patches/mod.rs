@@ -112,6 +112,15 @@ impl Patches {
         &self.entries[self.starts[triangle] as usize..self.starts[triangle + 1] as usize]
     }
 
+    /// Rounds what entries say of distances and alphas to the steps in which corners are drawn and files are kept, so that
+    /// all draw the same.
+    #[must_use]
+    pub(super) fn in_steps(mut self) -> Self {
+        let lapped = self.lapped;
+        self.entries.par_iter_mut().for_each(|entry| *entry = entry.in_steps(lapped));
+        self
+    }
+
     /// All entries, as the shaders read them.
     pub fn packed(&self) -> Vec<PatchEntry> {
         self.entries.par_iter().map(|entry| entry.packed(self.lapped)).collect()
@@ -154,7 +163,7 @@ pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: 
             },
         )
         .collect();
-    corners::gather(graph, field, &density, &visits, options)
+    corners::gather(graph, field, &density, &visits, options).in_steps()
 }
 
 #[cfg(test)]

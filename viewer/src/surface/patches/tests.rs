@@ -211,7 +211,7 @@ fn corners_carry_the_patches_of_their_triangles_and_triangles_share_them() {
                             // Half a step of the codes; lone triangles may lie beyond their range.
                             let far = entry.uv[k].abs().max_element() > PLACE_RANGE;
                             (far || (place - entry.uv[k]).abs().max_element() < 7e-5)
-                                && (behind - entry.behind[k]).abs() < 2.1e-3
+                                && (behind - entry.behind[k]).abs() < 1e-12
                                 && (follow == Follow::Surface || overlap.seeds[*i] == entry.seed)
                         };
                         assert!((0..OVERLAPS).any(|i| is_it(&i)), "{} {face} {k}: {overlap:?}", sample.name());

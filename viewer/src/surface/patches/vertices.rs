@@ -9,7 +9,7 @@
 //! | bytes | what | code | range |
 //! | --- | --- | --- | --- |
 //! | 0–15 | place on the tile in each of four patches | two 16-bit snorm, s and then t | -4..=4 tiles, in steps of 1.2e-4 |
-//! | 16–23 | how far each patch stands behind the nearest | four 16-bit unorm | 0..=4 feathers, as multiples of 4/1023 |
+//! | 16–23 | how far each patch stands behind the nearest | four 16-bit unorm | 0..=4 feathers, in steps of 6.1e-5 |
 //! | 24–27 | the vertex of the mesh that stands there | u32 | |
 //! | 28–31 | which of the records of seeds is its patches' | u32 | |
 //!
@@ -56,7 +56,7 @@
 use glam::DVec2;
 use rayon::prelude::*;
 use tam_shaders::cpu::builtin::pack2x16unorm;
-use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, NO_SEED, OVERLAPS, pack_place, pack_tens, unpack_tens};
+use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, NO_SEED, OVERLAPS, pack_place};
 use tam_shaders::types::PatchCorner;
 
 use super::Patches;
@@ -171,9 +171,7 @@ fn seeds(entries: &[Entry]) -> [u32; OVERLAPS] {
 /// What corner `k` of a triangle sees.
 fn packed(entries: &[Entry], k: usize, vertex: u32, seeds: u32) -> PatchCorner {
     let entries = ordered(entries);
-    // In the steps in which surfaces are kept in files, so that one that was read draws the same.
-    let kept = |entry: &Entry| unpack_tens(pack_tens(entry.behind.map(|behind| behind / BEHIND_RANGE)))[k];
-    let behind = entries.map(|entry| entry.map_or(1.0, kept));
+    let behind = entries.map(|entry| entry.map_or(1.0, |entry| entry.behind[k] / BEHIND_RANGE));
     PatchCorner {
         places: entries.map(|entry| pack_place(entry.map_or(DVec2::ZERO, |entry| entry.uv[k]))),
         behind: [[0, 1], [2, 3]].map(|[a, b]| pack2x16unorm(DVec2::new(behind[a], behind[b]))),
