@@ -26,6 +26,7 @@ pub mod gpu;
 mod object;
 mod passes;
 mod renderer;
+mod stage;
 mod timer;
 
 pub mod sheet;

@@ -1,7 +1,7 @@
 //! `tam-viewer render`.
 
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use serde_json::json;
 use tam_gen::command::words::{duration, milliseconds, path_text};
@@ -50,6 +50,9 @@ pub(super) struct RenderArgs {
     force: bool,
 }
 
+/// Pictures that take longer are drawn once: beside that, what pipelines and maps cost is little.
+const DRAWN_TWICE: Duration = Duration::from_millis(500);
+
 /// Reads a number of samples per pixel.
 pub(super) fn samples(text: &str) -> Result<u32, String> {
     match text {
@@ -68,10 +71,12 @@ pub(super) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let mut stage = Stage::open(&args.view, Ways::Own(args.method), args.size, args.samples, true, output)?;
     let timer = FrameTimer::new(&stage.renderer.gpu);
     let scene = stage.scene.clone();
-    // The first frame makes pipelines and uploads the map; the second is what a frame takes.
-    stage.draw(&scene, |own, _| *own, &timer)?;
+    let mut frame = stage.draw(&scene, |own, _| *own, &timer)?;
     interrupt::stop_if_happened()?;
-    let frame = stage.draw(&scene, |own, _| *own, &timer)?;
+    // The first frame makes pipelines and uploads the map; the second is what a frame takes. Nobody waits long for that.
+    if frame < DRAWN_TWICE {
+        frame = stage.draw(&scene, |own, _| *own, &timer)?;
+    }
     let picture = stage.picture()?;
     interrupt::stop_if_happened()?;
     files::write_picture(&path, &picture, args.force)?;

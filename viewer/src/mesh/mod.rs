@@ -36,6 +36,8 @@ pub use report::MeshReport;
 
 use glam::{Vec2, Vec3};
 
+use crate::stage::Held;
+
 /// No neighbour: a boundary, or an edge that more than two triangles share.
 pub const NONE: u32 = u32::MAX;
 
@@ -81,6 +83,15 @@ pub struct Mesh {
     pub placement: Placement,
     /// Movement, in the file's coordinates and the file's vertex order; see [`Mesh::pose`].
     pub animation: Option<Animation>,
+}
+
+impl Held for Loaded {
+    fn held(&self) -> usize {
+        let Mesh { positions, normals, uvs, points, normal_groups, sources, midpoints, triangles, neighbours, .. } =
+            &self.mesh;
+        let of_vertices = positions.held() + normals.held() + uvs.held() + points.held() + normal_groups.held();
+        of_vertices + sources.held() + midpoints.held() + triangles.held() + neighbours.held()
+    }
 }
 
 /// One object of a mesh.

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use glam::{Vec2, Vec3};
 
+use crate::stage::Held;
+
 use super::Animation;
 
 /// An unchecked triangle mesh: indices may be out of range, positions may be non-finite, triangles may be slivers,
@@ -28,6 +30,12 @@ pub struct RawMesh {
     pub made: bool,
     /// What the reader found and left out, in whole sentences.
     pub notes: Vec<String>,
+}
+
+impl Held for RawMesh {
+    fn held(&self) -> usize {
+        self.positions.held() + self.normals.held() + self.uvs.held() + self.triangles.held()
+    }
 }
 
 /// One object of a [`RawMesh`].

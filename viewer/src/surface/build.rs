@@ -6,17 +6,19 @@ use glam::DMat4;
 use tam_gen::Job;
 use tam_shaders::types;
 
-use super::curvature::{Curvature, curvatures};
+use super::coarse::{Coarse, Ground, radius_of_fields};
+use super::curvature::{Curvature, curvatures, curvatures_on};
 use super::field::{Field, FieldOptions, field};
 use super::graph::Graph;
 use super::lapped::{LappedOptions, lapped};
 use super::patches::turns::Turns;
-use super::patches::{PatchOptions, Patches, patches};
+use super::patches::{PatchOptions, Patches, patches_on};
 use super::solve::SolveError;
 use super::stripes::rows::rows;
 use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
 use crate::mesh::Mesh;
 use crate::params::{Mapping, Method, RenderParams};
+use crate::stage::stage;
 
 /// What is made of a surface.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
@@ -122,10 +124,18 @@ pub enum SurfaceError {
 pub struct SurfaceBase {
     /// Nodes and links.
     pub graph: Arc<Graph>,
-    /// By node.
-    pub curvatures: Arc<Vec<Curvature>>,
     /// Directions of the strokes.
     pub field: Arc<Field>,
+    found: Arc<Found>,
+}
+
+/// What directions were found from.
+#[derive(Debug)]
+struct Found {
+    /// By node, or by cluster where there are clusters.
+    curvatures: Vec<Curvature>,
+    /// Of a mesh that is finer than strokes need, its clusters and the directions there.
+    coarse: Option<(Coarse, Field)>,
 }
 
 impl SurfaceBase {
@@ -136,12 +146,42 @@ impl SurfaceBase {
     pub fn new(mesh: &Mesh, options: &FieldOptions, job: &Job<'_>) -> Result<Self, SurfaceError> {
         let step = Steps(job);
         step.at(0.0)?;
-        let graph = Graph::new(mesh);
+        let graph = stage("graph", || Graph::new(mesh));
         step.at(0.05)?;
-        let curvatures = curvatures(&graph);
+        let coarse = stage("coarse graph", || Coarse::new(&graph, radius_of_fields(&graph)));
         step.at(0.1)?;
-        let field = field(&graph, mesh, &curvatures, options)?;
-        Ok(Self { graph: Arc::new(graph), curvatures: Arc::new(curvatures), field: Arc::new(field) })
+        let curvatures = stage("curvature", || match &coarse {
+            Some(coarse) => curvatures_on(&graph, &coarse.graph, |node| coarse.clusters[node as usize]),
+            None => curvatures(&graph),
+        });
+        step.at(0.15)?;
+        let on = coarse.as_ref().map_or(&graph, |coarse| &coarse.graph);
+        let found = stage("field", || field(on, mesh, &curvatures, options))?;
+        let (field, coarse) = match coarse {
+            Some(coarse) => (stage("field of all nodes", || coarse.field(&graph, &found)), Some((coarse, found))),
+            None => (found, None),
+        };
+        let found = Found { curvatures, coarse };
+        Ok(Self { graph: Arc::new(graph), field: Arc::new(field), found: Arc::new(found) })
+    }
+
+    /// What patches are laid out on: clusters, where those are as fine as patches need.
+    fn ground(&self, options: &PatchOptions) -> Ground<'_> {
+        let Found { curvatures, coarse } = &*self.found;
+        let (graph, field) = (&*self.graph, &*self.field);
+        match coarse {
+            None => Ground { graph, curvatures: curvatures.into(), field, coarse: None },
+            // Clusters that touch are one and a half radii apart in the mean. What is flat is flat for each node.
+            Some((coarse, of_clusters)) if !options.planar && options.longest_edge() > 1.5 * coarse.radius => {
+                let curvatures = curvatures.into();
+                Ground { graph: &coarse.graph, curvatures, field: of_clusters, coarse: Some(coarse) }
+            }
+            Some((coarse, _)) => {
+                // Only how much it bends is asked for, not which way.
+                let of_nodes: Vec<_> = coarse.clusters.iter().map(|cluster| curvatures[*cluster as usize]).collect();
+                Ground { graph, curvatures: of_nodes.into(), field, coarse: None }
+            }
+        }
     }
 }
 
@@ -150,8 +190,6 @@ impl SurfaceBase {
 pub struct Surface {
     /// Nodes and links.
     pub graph: Arc<Graph>,
-    /// By node.
-    pub curvatures: Arc<Vec<Curvature>>,
     /// Directions of the strokes.
     pub field: Arc<Field>,
     /// Overlapping patches.
@@ -195,17 +233,19 @@ impl Surface {
     /// As [`Surface::new_with`].
     pub fn on(base: &SurfaceBase, mesh: &Mesh, options: &SurfaceOptions, job: &Job<'_>) -> Result<Self, SurfaceError> {
         let step = Steps(job);
-        let SurfaceBase { graph, curvatures, field } = base.clone();
+        let (graph, field) = (Arc::clone(&base.graph), Arc::clone(&base.field));
         step.at(0.3)?;
-        let mut patches = options.patches.map(|options| patches(&graph, &curvatures, &field, &options));
+        let mut patches = options.patches.map(|options| patches_on(&base.ground(&options), &graph, &field, &options));
         step.at(0.6)?;
-        let lapped = options.lapped.map(|options| lapped(&graph, &field, &options)).transpose()?;
+        let lapped = options.lapped.map(|options| stage("lapped patches", || lapped(&graph, &field, &options)));
+        let lapped = lapped.transpose()?;
         step.at(0.8)?;
-        let stripes = options.stripes.map(|options| stripes(&graph, &field, &options)).transpose()?;
+        let stripes =
+            options.stripes.map(|options| stage("stripes", || stripes(&graph, &field, &options))).transpose()?;
         if let (Some(patches), Some(stripes)) = (&mut patches, &stripes) {
-            patches.rows = rows(&graph, &mesh.neighbours, patches, stripes);
+            patches.rows = stage("rows", || rows(&graph, &mesh.neighbours, patches, stripes));
         }
         step.at(1.0)?;
-        Ok(Self { graph, curvatures, field, patches, lapped, stripes })
+        Ok(Self { graph, field, patches, lapped, stripes })
     }
 }

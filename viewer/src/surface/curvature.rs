@@ -37,21 +37,27 @@ impl Curvature {
 }
 
 /// Radius of the neighbourhood as a share of the bounding box's diagonal.
-const RADIUS: f64 = 0.012;
+pub(super) const RADIUS: f64 = 0.012;
 
 /// Rounds of averaging at most: reached by meshes of millions of triangles.
 const MAX_ROUNDS: f64 = 64.0;
 
 /// Curvatures of all nodes.
 pub fn curvatures(graph: &Graph) -> Vec<Curvature> {
+    curvatures_on(graph, graph, |node| node)
+}
+
+/// Curvatures of the nodes of a coarser graph, given the node there that stands for one of `fine`.
+pub(super) fn curvatures_on(fine: &Graph, graph: &Graph, stands_for: impl Fn(u32) -> u32 + Sync) -> Vec<Curvature> {
     let mut sums = vec![(0.0, c64::new(0.0, 0.0)); graph.len()];
-    let of_triangles: Vec<_> = graph.triangles.par_iter().map(|triangle| of_triangle(graph, *triangle)).collect();
-    for (triangle, shape) in graph.triangles.iter().zip(&of_triangles) {
+    let of_triangle = |triangle: &[u32; 3]| of_triangle(fine, *triangle, graph, triangle.map(&stands_for));
+    let of_triangles: Vec<_> = fine.triangles.par_iter().map(of_triangle).collect();
+    for (triangle, shape) in fine.triangles.iter().zip(&of_triangles) {
         let Some(shape) = shape else { continue };
-        for (k, node) in triangle.iter().enumerate() {
+        for (k, node) in triangle.map(&stands_for).iter().enumerate() {
             let (mean, deviation) = &mut sums[*node as usize];
             *mean += shape.area * shape.mean;
-            *deviation += shape.deviation * c64::from_polar(shape.area, 2.0 * shape.turns_rad[k]);
+            *deviation += shape.deviation * shape.axes[k] * shape.axes[k] * shape.area;
         }
     }
     let mut values: Vec<(f64, c64)> = sums
@@ -76,14 +82,14 @@ struct Shape {
     area: f64,
     mean: f64,
     deviation: c64,
-    /// Per corner: the angle of the triangle's first axis in the node's frame.
-    turns_rad: [f64; 3],
+    /// Per corner: the triangle's first axis in the frame of the node that stands for it, a unit complex number.
+    axes: [c64; 3],
 }
 
-fn of_triangle(graph: &Graph, triangle: [u32; 3]) -> Option<Shape> {
+fn of_triangle(fine: &Graph, triangle: [u32; 3], graph: &Graph, stand_for: [u32; 3]) -> Option<Shape> {
     let nodes = triangle.map(|node| node as usize);
-    let p = nodes.map(|node| graph.positions[node]);
-    let n = nodes.map(|node| graph.normals[node]);
+    let p = nodes.map(|node| fine.positions[node]);
+    let n = nodes.map(|node| fine.normals[node]);
     let cross = (p[1] - p[0]).cross(p[2] - p[0]);
     let normal = cross.try_normalize()?;
     let x = (p[1] - p[0]).try_normalize()?;
@@ -105,8 +111,9 @@ fn of_triangle(graph: &Graph, triangle: [u32; 3]) -> Option<Shape> {
         return None;
     }
     let [e, f, g] = (ata.inverse() * atb).to_array();
-    let turns_rad = nodes.map(|node| graph.angle(node, DQuat::from_rotation_arc(normal, graph.normals[node]) * x));
-    Some(Shape { area: cross.length() / 2.0, mean: 0.5 * (e + g), deviation: c64::new(0.5 * (e - g), f), turns_rad })
+    let axes = stand_for.map(|node| node as usize);
+    let axes = axes.map(|node| graph.flat(node, DQuat::from_rotation_arc(normal, graph.normals[node]) * x));
+    Some(Shape { area: cross.length() / 2.0, mean: 0.5 * (e + g), deviation: c64::new(0.5 * (e - g), f), axes })
 }
 
 fn averaged(graph: &Graph, values: &[(f64, c64)]) -> Vec<(f64, c64)> {
@@ -118,7 +125,8 @@ fn averaged(graph: &Graph, values: &[(f64, c64)]) -> Vec<(f64, c64)> {
             for end in graph.ends(node) {
                 let (other, area) = (values[end.node as usize], graph.areas[end.node as usize]);
                 mean += other.0 * area;
-                deviation += other.1 * c64::from_polar(area, 2.0 * graph.turn_from(end.link, end.node));
+                let turn = graph.turn_from(end.link, end.node);
+                deviation += other.1 * turn * turn * area;
                 total += area;
             }
             if total > 0.0 { (mean / total, deviation / total) } else { own }

@@ -18,6 +18,7 @@ use super::graph::{Graph, wrapped};
 use super::guides::{Guide, anchors};
 use super::solve::{Factor, SolveError};
 use crate::mesh::Mesh;
+use crate::stage::Held;
 
 /// What strokes follow.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -88,8 +89,8 @@ pub fn field(
     let lambda = 1.0 / (reach * reach).max(1e-300);
     let mut wanted = wanted(graph, mesh, curvatures, &options.source);
     for anchor in anchors(graph, &options.guides) {
-        let z = c64::from_polar(1.0, 2.0 * graph.angle(anchor.node, anchor.direction));
-        wanted[anchor.node] += z * (GUIDE_WEIGHT * anchor.weight);
+        let along = graph.flat(anchor.node, anchor.direction);
+        wanted[anchor.node] += along * along * (GUIDE_WEIGHT * anchor.weight);
     }
     let mass: Vec<f64> = graph.areas.iter().map(|area| lambda * area.max(1e-14)).collect();
     let mut triplets: Vec<Triplet<usize, usize, c64>> = Vec::with_capacity(3 * graph.links.len() + graph.len());
@@ -101,7 +102,8 @@ pub fn field(
         triplets.push(Triplet::new(a, a, c64::new(link.weight, 0.0)));
         triplets.push(Triplet::new(b, b, c64::new(link.weight, 0.0)));
         // Row b, column a: z_b is compared with z_a carried over.
-        triplets.push(Triplet::new(b, a, -c64::from_polar(link.weight, 2.0 * link.turn_rad)));
+        let turn = c64::new(link.turn.x, link.turn.y);
+        triplets.push(Triplet::new(b, a, -(turn * turn * link.weight)));
     }
     let z = Factor::new(graph.len(), &triplets)?.solve(|node| wanted[node] * mass[node]);
     Ok(Field {
@@ -111,6 +113,11 @@ pub fn field(
 }
 
 impl Field {
+    /// Per node e^(2iθ).
+    pub(super) fn doubled(&self) -> Vec<c64> {
+        self.angles_rad.par_iter().map(|angle| c64::from_polar(1.0, 2.0 * angle)).collect()
+    }
+
     /// The direction at a node, in mesh space.
     pub fn direction(&self, graph: &Graph, node: usize) -> DVec3 {
         graph.direction(node, self.angles_rad[node])
@@ -118,7 +125,7 @@ impl Field {
 
     /// The angle at `to`, so chosen among the two opposite ones that it continues an angle at `from`.
     pub fn continued(&self, graph: &Graph, link: u32, from: u32, to: u32, angle_rad: f64) -> f64 {
-        let carried = angle_rad + graph.turn_from(link, from);
+        let carried = angle_rad + graph.turn_from(link, from).arg();
         let own = self.angles_rad[to as usize];
         if wrapped(own - carried).abs() > FRAC_PI_2 { own + PI } else { own }
     }
@@ -135,13 +142,19 @@ impl Field {
                 for k in 0..3 {
                     let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
                     let Some(link) = links(a, b) else { return 0 };
-                    let turn = graph.turn_from(link, a);
+                    let turn = graph.turn_from(link, a).arg();
                     turns += turn;
                     changes += wrapped(2.0 * (self.angles_rad[b as usize] - self.angles_rad[a as usize] - turn));
                 }
                 ((changes + 2.0 * wrapped(turns)) / (2.0 * PI)).round() as i32
             })
             .collect()
+    }
+}
+
+impl Held for Field {
+    fn held(&self) -> usize {
+        self.angles_rad.held() + self.strengths.held()
     }
 }
 
@@ -155,7 +168,8 @@ fn wanted(graph: &Graph, mesh: &Mesh, curvatures: &[Curvature], source: &FieldSo
     let projected = |node: usize, direction: DVec3| {
         let normal = graph.normals[node];
         let flat = direction - normal * direction.dot(normal);
-        c64::from_polar(flat.length_squared(), 2.0 * graph.angle(node, flat))
+        let along = graph.flat(node, flat);
+        along * along * flat.length_squared()
     };
     (0..graph.len())
         .into_par_iter()

@@ -5,10 +5,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{DQuat, DVec3};
+use faer::c64;
+use glam::{DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::mesh::Mesh;
+use crate::stage::Held;
 
 /// Nodes, triangles and links of a surface.
 #[derive(Clone, Debug, Default)]
@@ -41,9 +43,9 @@ pub struct Link {
     pub b: u32,
     /// Half the sum of the cotangents of the opposite angles, 0.02..=20.
     pub weight: f64,
-    /// Added to an angle at `a`, it gives the angle at `b` of the same direction, carried over by the least rotation
-    /// that turns the one normal into the other.
-    pub turn_rad: f64,
+    /// Unit complex number: times a direction in the frame of `a`, it gives the same direction in that of `b`, carried
+    /// over by the least rotation that turns the one normal into the other.
+    pub turn: DVec2,
 }
 
 /// A link as seen from one of its nodes.
@@ -79,7 +81,22 @@ impl Graph {
             ..Self::default()
         };
         graph.measure();
-        graph.link();
+        graph.link(&[]);
+        graph
+    }
+
+    /// A graph of given nodes, with given areas; `touching` are nodes to be linked even where no triangle has them.
+    pub(super) fn of_nodes(
+        positions: Vec<DVec3>,
+        normals: Vec<DVec3>,
+        areas: Vec<f64>,
+        triangles: Vec<[u32; 3]>,
+        touching: &[[u32; 2]],
+        node_of_vertex: Vec<u32>,
+    ) -> Self {
+        let tangents = normals.par_iter().map(|normal| fixed_tangent(*normal)).collect();
+        let mut graph = Self { positions, normals, tangents, areas, triangles, node_of_vertex, ..Self::default() };
+        graph.link(touching);
         graph
     }
 
@@ -105,8 +122,12 @@ impl Graph {
 
     /// The direction at an angle of a node's frame.
     pub fn direction(&self, node: usize, angle_rad: f64) -> DVec3 {
-        let (sin, cos) = angle_rad.sin_cos();
-        self.tangents[node] * cos + self.bitangent(node) * sin
+        self.standing(node, c64::from_polar(1.0, angle_rad))
+    }
+
+    /// The direction in mesh space that one in a node's frame means.
+    pub(crate) fn standing(&self, node: usize, flat: c64) -> DVec3 {
+        self.tangents[node] * flat.re + self.bitangent(node) * flat.im
     }
 
     /// The angle of a direction in a node's frame, -π..=π; what stands off the tangent plane does not count.
@@ -114,10 +135,15 @@ impl Graph {
         direction.dot(self.bitangent(node)).atan2(direction.dot(self.tangents[node]))
     }
 
-    /// Added to an angle at `from`, it gives the angle of the same direction at the link's other end.
-    pub fn turn_from(&self, link: u32, from: u32) -> f64 {
+    /// A direction in a node's frame, as a unit complex number; 1 for one that stands upright.
+    pub(crate) fn flat(&self, node: usize, direction: DVec3) -> c64 {
+        unit(c64::new(direction.dot(self.tangents[node]), direction.dot(self.bitangent(node))))
+    }
+
+    /// Times a direction in the frame of `from`, it gives the same direction at the link's other end.
+    pub(crate) fn turn_from(&self, link: u32, from: u32) -> c64 {
         let link = &self.links[link as usize];
-        if from == link.a { link.turn_rad } else { -link.turn_rad }
+        c64::new(link.turn.x, if from == link.a { link.turn.y } else { -link.turn.y })
     }
 
     /// Length of the diagonal of the bounding box.
@@ -144,7 +170,7 @@ impl Graph {
         }
     }
 
-    fn link(&mut self) {
+    fn link(&mut self, touching: &[[u32; 2]]) {
         // Per triangle and corner: the opposite link and the cotangent at the corner.
         let mut halves: Vec<(u32, u32, f64)> = self
             .triangles
@@ -158,6 +184,7 @@ impl Graph {
                     (i != j).then(|| (i.min(j), i.max(j), 0.5 * u.dot(v) / area.max(1e-300)))
                 })
             })
+            .chain(touching.par_iter().map(|[a, b]| (*a.min(b), *a.max(b), 0.0)))
             .collect();
         // A stable sort: the sums are the same for any number of threads.
         halves.par_sort_by_key(|(a, b, _)| (*a, *b));
@@ -171,7 +198,7 @@ impl Graph {
                 a,
                 b,
                 weight: weight.clamp(*WEIGHTS.start(), *WEIGHTS.end()),
-                turn_rad: self.turn(a as usize, b as usize),
+                turn: self.turn(a as usize, b as usize),
             })
             .collect();
         let mut counts = vec![0u32; self.len() + 1];
@@ -193,10 +220,25 @@ impl Graph {
         }
     }
 
-    fn turn(&self, a: usize, b: usize) -> f64 {
+    fn turn(&self, a: usize, b: usize) -> DVec2 {
         let least = DQuat::from_rotation_arc(self.normals[a], self.normals[b]);
-        self.angle(b, least * self.tangents[a])
+        let turn = self.flat(b, least * self.tangents[a]);
+        DVec2::new(turn.re, turn.im)
     }
+}
+
+impl Held for Graph {
+    fn held(&self) -> usize {
+        let nodes = self.positions.held() + self.normals.held() + self.tangents.held() + self.areas.held();
+        let links = self.links.held() + self.starts.held() + self.ends.held();
+        nodes + links + self.triangles.held() + self.node_of_vertex.held()
+    }
+}
+
+/// A complex number of length 1; 1 for none.
+pub(crate) fn unit(z: c64) -> c64 {
+    let length = z.norm_sqr().sqrt();
+    if length > 0.0 { z / length } else { c64::new(1.0, 0.0) }
 }
 
 /// A unit vector perpendicular to a normal: level, where the normal does not stand upright.

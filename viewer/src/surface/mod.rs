@@ -1,10 +1,11 @@
 //! What a surface says about strokes: curvature, and the direction field that strokes follow.
 //!
 //! ```text
-//! mesh ─► graph ─► curvature ─► field ─► patches | lapped | stripes
+//! mesh ─► graph ─► (coarse graph) ─► curvature ─► field ─► patches | lapped | stripes
 //! ```
 
 mod build;
+mod coarse;
 pub mod curvature;
 pub mod field;
 pub mod graph;

@@ -1,7 +1,7 @@
 //! Surfaces in files, so that a mesh that is opened again need not be solved again.
 //!
 //! A file knows by a hash for which mesh and options it was made, and by another whether it is whole. It holds the
-//! field, patches and stripes in the form in which shaders read them; nodes and curvatures are made anew.
+//! field, patches and stripes in the form in which shaders read them; nodes are made anew.
 
 use std::io::Write;
 use std::path::Path;
@@ -12,7 +12,6 @@ use tam_shaders::cpu::lib::patches::PLACE_RANGE;
 use tam_shaders::types::StripePhases;
 
 use super::build::{Surface, SurfaceOptions};
-use super::curvature::curvatures;
 use super::field::Field;
 use super::graph::Graph;
 use super::patches::{Entry, MAX_ENTRIES, Patches, Seed};
@@ -21,7 +20,7 @@ use crate::mesh::Mesh;
 use crate::params::Follow;
 
 /// First bytes of a file, with the version of the format.
-const MAGIC: &[u8; 8] = b"TAMSURF1";
+const MAGIC: &[u8; 8] = b"TAMSURF2";
 /// Magic, key and hash of the rest.
 const HEAD: usize = 8 + 32 + 32;
 /// Largest file that is read, in bytes.
@@ -126,8 +125,8 @@ pub fn parse(bytes: &[u8], mesh: &Mesh, options: &SurfaceOptions) -> Result<Opti
     if !numbers || of_nodes != [graph.len(); 2] || asked != [patches.is_some(), lapped.is_some(), stripes.is_some()] {
         return Err(StoreError::Damaged);
     }
-    let (curvatures, graph, field) = (Arc::new(curvatures(&graph)), Arc::new(graph), Arc::new(stored.field));
-    Ok(Some(Surface { graph, curvatures, field, patches, lapped, stripes }))
+    let (graph, field) = (Arc::new(graph), Arc::new(stored.field));
+    Ok(Some(Surface { graph, field, patches, lapped, stripes }))
 }
 
 /// Writes a surface to a file, at once or not at all.

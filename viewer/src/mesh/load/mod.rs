@@ -20,6 +20,7 @@ use std::path::{Path, PathBuf};
 pub use kind::Kind;
 
 use super::{Loaded, MeshError, RawMesh, prepare};
+use crate::stage::stage;
 
 /// Most bytes of a file that are read.
 pub const BYTES_MAX: u64 = 2 << 30;
@@ -40,7 +41,7 @@ pub fn load(path: &Path) -> Result<Loaded, MeshError> {
 }
 
 fn load_file(path: &Path) -> Result<Loaded, MeshError> {
-    let bytes = read_bytes(path)?;
+    let bytes = stage("file", || read_bytes(path))?;
     let extension = path.extension().map(|extension| extension.to_string_lossy().into_owned()).unwrap_or_default();
     let kind = Kind::from_extension(&extension)
         .or_else(|| Kind::from_content(&bytes))
@@ -53,10 +54,10 @@ fn load_file(path: &Path) -> Result<Loaded, MeshError> {
             other => io::Error::other(other.to_string()),
         })
     };
-    let mut raw = read_raw(&bytes, kind, &beside)?;
+    let mut raw = stage("reading", || read_raw(&bytes, kind, &beside))?;
     drop(bytes);
     raw.name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    prepare(raw)
+    stage("preparing", || prepare(raw))
 }
 
 /// Reads the bytes of a mesh file, without preparing it; `resolve` gives those of files that it refers to.

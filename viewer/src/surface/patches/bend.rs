@@ -24,7 +24,16 @@ pub(super) struct Bend {
 
 impl Bend {
     /// Fitted to the field at the nodes of a patch; `spacing` is the distance of seeds here.
-    pub(super) fn fit(graph: &Graph, field: &Field, visits: &[Visit], spacing: f64, options: &PatchOptions) -> Self {
+    ///
+    /// `doubled` holds the field's directions at the nodes, as e^(2iθ).
+    pub(super) fn fit(
+        graph: &Graph,
+        field: &Field,
+        doubled: &[c64],
+        visits: &[Visit],
+        spacing: f64,
+        options: &PatchOptions,
+    ) -> Self {
         let straight = Self { angle_rad: 0.0, rates: DVec2::ZERO };
         if options.follow == Follow::Light {
             return straight;
@@ -34,8 +43,8 @@ impl Bend {
             let near = 1.0 - (visit.radius / spacing).powi(2);
             near.max(0.0) * graph.areas[visit.node as usize] * field.strengths[visit.node as usize].max(1e-3)
         };
-        let doubled = |visit: &Visit| 2.0 * (field.angles_rad[visit.node as usize] + visit.turn_rad);
-        let sum: c64 = visits.iter().map(|visit| c64::from_polar(weight(visit), doubled(visit))).sum();
+        let doubled = |visit: &Visit| doubled[visit.node as usize] * visit.turn * visit.turn;
+        let sum: c64 = visits.iter().map(|visit| doubled(visit) * weight(visit)).sum();
         if sum.norm() == 0.0 {
             let angle_rad = visits.first().map_or(0.0, |seed| field.angles_rad[seed.node as usize]);
             return Self { angle_rad, ..straight };
@@ -45,11 +54,15 @@ impl Bend {
             return Self { angle_rad, ..straight };
         }
         let turned = DVec2::from_angle(-angle_rad);
+        let back = c64::from_polar(1.0, -2.0 * angle_rad);
         let (mut ata, mut atb) = (DMat2::ZERO, DVec2::ZERO);
         for visit in visits {
             let place = turned.rotate(visit.place);
             let weight = weight(visit);
-            let rest = c64::from_polar(1.0, doubled(visit) - 2.0 * angle_rad).arg() / 2.0;
+            if weight == 0.0 {
+                continue;
+            }
+            let rest = (doubled(visit) * back).arg() / 2.0;
             ata += DMat2::from_cols(place * place.x, place * place.y) * weight;
             atb += place * (rest * weight);
         }

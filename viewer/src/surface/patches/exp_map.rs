@@ -9,7 +9,7 @@ use faer::c64;
 use glam::DVec2;
 
 use super::seeds::{Ordered, dense_length};
-use crate::surface::graph::Graph;
+use crate::surface::graph::{Graph, unit};
 
 /// A node in a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +17,8 @@ pub(super) struct Visit {
     pub(super) node: u32,
     /// Place in the patch, in mesh units: the seed is the origin.
     pub(super) place: DVec2,
-    /// Added to an angle in the node's frame, it gives the angle in the patch.
-    pub(super) turn_rad: f64,
+    /// Times a direction in the node's frame, it gives the direction in the patch: a unit complex number.
+    pub(super) turn: c64,
     /// Distance to the seed, in mesh units; bending does not change it.
     pub(super) radius: f64,
 }
@@ -48,8 +48,13 @@ impl Explorer {
         }
     }
 
-    /// All nodes within a distance of the seed (in the metric), in the order of their distance.
-    pub(super) fn explore(&mut self, graph: &Graph, density: &[f64], seed: u32, reach: f64) -> Vec<Visit> {
+    /// All nodes within a distance of the seed (in the metric), in the order of their distance. Times a direction in the
+    /// seed's frame, `axis` gives that in the patch.
+    pub(super) fn explore(&mut self, graph: &Graph, density: &[f64], seed: u32, axis: c64, reach: f64) -> Vec<Visit> {
+        for node in self.touched.drain(..) {
+            self.distance[node as usize] = f64::INFINITY;
+            self.finished[node as usize] = UNFINISHED;
+        }
         let mut visits: Vec<Visit> = Vec::new();
         self.reach(seed, 0.0);
         while let Some(Reverse((Ordered(distance), node))) = self.heap.pop() {
@@ -57,7 +62,7 @@ impl Explorer {
                 continue;
             }
             let visit = if node == seed {
-                Visit { node, place: DVec2::ZERO, turn_rad: 0.0, radius: 0.0 }
+                Visit { node, place: DVec2::ZERO, turn: axis, radius: 0.0 }
             } else if self.planar {
                 projected(graph, seed, node)
             } else {
@@ -73,11 +78,12 @@ impl Explorer {
                 }
             }
         }
-        for node in self.touched.drain(..) {
-            self.distance[node as usize] = f64::INFINITY;
-            self.finished[node as usize] = UNFINISHED;
-        }
         visits
+    }
+
+    /// Which of the last visits was of this node; none of them where the number is too great.
+    pub(super) fn visited(&self, node: u32) -> usize {
+        self.finished[node as usize] as usize
     }
 
     fn reach(&mut self, node: u32, distance: f64) {
@@ -97,15 +103,15 @@ impl Explorer {
             let weight = 1.0 / length.max(1e-12);
             // The step as seen from both its ends: the mean direction is that of the arc between them.
             let link_turn = graph.turn_from(end.link, node);
-            let here = c64::from_polar(1.0, graph.angle(end.node as usize, step));
-            let there = c64::from_polar(1.0, graph.angle(node as usize, step) + link_turn);
-            let direction = (here + there).arg() + from.turn_rad;
-            place += weight * (from.place + DVec2::from_angle(direction) * length);
-            turn += c64::from_polar(weight, link_turn + from.turn_rad);
+            let here = graph.flat(end.node as usize, step);
+            let there = graph.flat(node as usize, step) * link_turn;
+            let along = unit(here + there) * from.turn * length;
+            place += weight * (from.place + DVec2::new(along.re, along.im));
+            turn += link_turn * from.turn * weight;
             total += weight;
         }
         let place = if total > 0.0 { place / total } else { place };
-        Visit { node, place, turn_rad: turn.arg(), radius: place.length() }
+        Visit { node, place, turn: unit(turn), radius: place.length() }
     }
 }
 
@@ -114,13 +120,13 @@ fn projected(graph: &Graph, seed: u32, node: u32) -> Visit {
     let (from, to) = (seed as usize, node as usize);
     let step = graph.positions[to] - graph.positions[from];
     let place = DVec2::new(step.dot(graph.tangents[from]), step.dot(graph.bitangent(from)));
-    Visit { node, place, turn_rad: graph.angle(from, graph.tangents[to]), radius: step.length() }
+    Visit { node, place, turn: graph.flat(from, graph.tangents[to]), radius: step.length() }
 }
 
 /// The map around a node: other nodes within a distance and their places in the node's frame, in mesh units, nearest
 /// first.
 pub fn exponential_map(graph: &Graph, node: u32, reach: f64) -> Vec<(u32, DVec2)> {
     let density = vec![1.0; graph.len()];
-    let visits = Explorer::new(graph.len(), false).explore(graph, &density, node, reach);
+    let visits = Explorer::new(graph.len(), false).explore(graph, &density, node, c64::new(1.0, 0.0), reach);
     visits.into_iter().map(|visit| (visit.node, visit.place)).collect()
 }

@@ -10,6 +10,7 @@ mod bend;
 mod corners;
 mod exp_map;
 mod fallback;
+mod maps;
 mod seeds;
 pub(crate) mod turns;
 pub mod vertices;
@@ -17,15 +18,16 @@ pub mod vertices;
 use rayon::prelude::*;
 use tam_shaders::types::PatchEntry;
 
+use super::coarse::Ground;
 use super::curvature::Curvature;
 use super::field::Field;
 use super::graph::Graph;
 use crate::params::Follow;
-use bend::Bend;
-use exp_map::{Explorer, Visit};
+use crate::stage::{Held, stage};
 
 pub use corners::{Entry, MAX_ENTRIES};
 pub use exp_map::exponential_map;
+pub(super) use seeds::Ordered;
 pub use vertices::PatchVertices;
 
 /// How patches are made.
@@ -70,9 +72,6 @@ impl PatchOptions {
         self.spacing_tiles / self.tiles_per_unit / 6.0
     }
 }
-
-/// How far a patch reaches, in spacings: its own cell, the feather, and the corners of triangles beyond.
-const REACH: f64 = 1.9;
 
 /// The centre of a patch.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -140,30 +139,24 @@ impl Patches {
     }
 }
 
+impl Held for Patches {
+    fn held(&self) -> usize {
+        self.seeds.held() + self.starts.held() + self.entries.held() + self.rows.held()
+    }
+}
+
 /// The patches of a surface. Every triangle has one at least, whatever the mesh.
 pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: &PatchOptions) -> Patches {
-    let tile = 1.0 / options.tiles_per_unit;
-    let spacing = options.spacing_tiles * tile;
-    let density = seeds::density(graph, curvatures, spacing, options.greatest_density);
-    let nodes = seeds::spread(graph, &density, spacing);
-    let visits: Vec<(Seed, Vec<Visit>)> = nodes
-        .par_iter()
-        .enumerate()
-        .map_init(
-            || Explorer::new(graph.len(), options.planar),
-            |explorer, (index, &node)| {
-                let mut visits = explorer.explore(graph, &density, node, REACH * spacing);
-                let bend = Bend::fit(graph, field, &visits, spacing / density[node as usize], options);
-                for visit in &mut visits {
-                    visit.place = bend.place(visit.place);
-                }
-                let follows = options.follow == Follow::Light;
-                let offset_uv = if follows { [0.0; 2] } else { seeds::offset(index, 0) };
-                (Seed { node, angle_rad: bend.angle_rad, offset_uv }, visits)
-            },
-        )
-        .collect();
-    corners::gather(graph, field, &density, &visits, options).in_steps()
+    patches_on(&Ground { graph, curvatures: curvatures.into(), field, coarse: None }, graph, field, options)
+}
+
+/// The same, laid out on fewer nodes where the ground has them; `graph` and `field` are those of all nodes.
+pub(super) fn patches_on(ground: &Ground<'_>, graph: &Graph, field: &Field, options: &PatchOptions) -> Patches {
+    let spacing = options.spacing_tiles / options.tiles_per_unit;
+    let density = seeds::density(ground.graph, &ground.curvatures, spacing, options.greatest_density);
+    let nodes = stage("patches: seeds", || seeds::spread(ground.graph, &density, spacing));
+    let maps = stage("patches: maps", || maps::maps(ground, graph, &density, &nodes, options));
+    stage("patches: corners", || corners::gather(graph, field, maps, options).in_steps())
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::surface::graph::Graph;
 
 /// A number that heaps can order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ordered(pub(super) f64);
+pub(in crate::surface) struct Ordered(pub(in crate::surface) f64);
 
 impl Eq for Ordered {}
 

@@ -3,8 +3,7 @@
 //! Directions have no sign, so each node picks one, and a link knows whether its two ends agree. What is said of a link
 //! is said in the sign of its first node, from the first to the second.
 
-use std::f64::consts::FRAC_PI_2;
-
+use faer::c64;
 use rayon::prelude::*;
 
 use crate::surface::graph::Graph;
@@ -50,8 +49,8 @@ pub(super) fn loops(graph: &Graph) -> Vec<Option<Loop>> {
     graph.triangles.par_iter().map(|[a, b, c]| Some([side(*a, *b)?, side(*b, *c)?, side(*c, *a)?])).collect()
 }
 
-/// Growths of all links for lines that run at these angles.
-pub(super) fn growths(graph: &Graph, angles_rad: &[f64]) -> Vec<Growth> {
+/// Growths of all links for lines that run this way: per node a direction in its frame, a unit complex number.
+pub(super) fn growths(graph: &Graph, along: &[c64]) -> Vec<Growth> {
     graph
         .links
         .par_iter()
@@ -59,11 +58,9 @@ pub(super) fn growths(graph: &Graph, angles_rad: &[f64]) -> Vec<Growth> {
             let (a, b) = (link.a as usize, link.b as usize);
             let chord = graph.positions[b] - graph.positions[a];
             let length = chord.length();
-            let across = |node: usize| {
-                let off_line = graph.angle(node, chord) - angles_rad[node] - FRAC_PI_2;
-                length * off_line.cos()
-            };
-            let sign = if (angles_rad[b] - angles_rad[a] - link.turn_rad).cos() < 0.0 { -1.0 } else { 1.0 };
+            let across = |node: usize| length * (graph.flat(node, chord) * along[node].conj()).im;
+            let carried = along[a] * c64::new(link.turn.x, link.turn.y);
+            let sign = if (along[b] * carried.conj()).re < 0.0 { -1.0 } else { 1.0 };
             Growth { sign, at_a: across(a), at_b: sign * across(b) }
         })
         .collect()

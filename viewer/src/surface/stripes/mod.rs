@@ -23,14 +23,15 @@ mod wave;
 #[cfg(test)]
 mod tests;
 
-use std::f64::consts::FRAC_PI_2;
-
+use faer::c64;
+use rayon::prelude::*;
 use tam_shaders::types::StripePhases;
 
 use super::field::Field;
 use super::graph::Graph;
 use super::solve::SolveError;
 use crate::ranges;
+use crate::stage::Held;
 use growth::{Loop, growths, loops};
 
 /// How stripes are laid.
@@ -69,6 +70,12 @@ pub struct Stripes {
     pub across: Vec<StripePhases>,
 }
 
+impl Held for Stripes {
+    fn held(&self) -> usize {
+        self.along.held() + self.across.held()
+    }
+}
+
 /// The stripes of a surface. The same for any number of threads.
 ///
 /// # Errors
@@ -78,12 +85,13 @@ pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<
         return Err(StripeError::LinesPerUnit(options.lines_per_unit));
     }
     let loops = loops(graph);
+    let along: Vec<c64> = field.angles_rad.par_iter().map(|angle| c64::from_polar(1.0, *angle)).collect();
     let (along, across) = rayon::join(
-        || lines(graph, &loops, field.angles_rad.clone(), options),
+        || lines(graph, &loops, &along, options),
         || {
-            let turned = |angle: &f64| angle + FRAC_PI_2;
-            let angles = || field.angles_rad.iter().map(turned).collect();
-            if options.across { lines(graph, &loops, angles(), options) } else { Ok(Vec::new()) }
+            // A quarter turn is a multiplication by i.
+            let across = || along.iter().map(|z| c64::new(-z.im, z.re)).collect::<Vec<_>>();
+            if options.across { lines(graph, &loops, &across(), options) } else { Ok(Vec::new()) }
         },
     );
     Ok(Stripes { along: along?, across: across? })
@@ -92,11 +100,11 @@ pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<
 fn lines(
     graph: &Graph,
     loops: &[Option<Loop>],
-    angles_rad: Vec<f64>,
+    along: &[c64],
     options: &StripeOptions,
 ) -> Result<Vec<StripePhases>, StripeError> {
-    let growths = growths(graph, &angles_rad);
-    let frequencies = spacing::frequencies(graph, loops, &growths, &angles_rad, options.lines_per_unit)?;
+    let growths = growths(graph, along);
+    let frequencies = spacing::frequencies(graph, loops, &growths, along, options.lines_per_unit)?;
     let steps = growth::steps(graph, &growths, &frequencies);
     let clusters = clusters::clusters(graph, &steps);
     let wave = wave::wave(graph, &steps, &clusters)?;

@@ -4,6 +4,7 @@
 //! derivative of ln f along X is minus the curl of Y. This is solved by least squares, with a little of the gradient of
 //! ln f in all directions and of ln f itself, which keep f even where the field leaves it open or asks too much.
 
+use faer::c64;
 use glam::DVec3;
 
 use super::growth::{Growth, Loop};
@@ -24,7 +25,7 @@ pub(super) fn frequencies(
     graph: &Graph,
     loops: &[Option<Loop>],
     growths: &[Growth],
-    angles_rad: &[f64],
+    directions: &[c64],
     lines_per_unit: f64,
 ) -> Result<Vec<f64>, SolveError> {
     let reach = REACH * graph.diagonal();
@@ -39,7 +40,7 @@ pub(super) fn frequencies(
     let mut right = vec![0.0; graph.len()];
     for (triangle, sides) in graph.triangles.iter().zip(loops) {
         let Some(sides) = sides else { continue };
-        let Some(part) = of_triangle(graph, *triangle, sides, growths, angles_rad) else { continue };
+        let Some(part) = of_triangle(graph, *triangle, sides, growths, directions) else { continue };
         for k in 0..3 {
             let next = (k + 1) % 3;
             diagonal[triangle[k] as usize] += part.area * part.along[k] * part.along[k];
@@ -66,7 +67,7 @@ fn of_triangle(
     triangle: [u32; 3],
     sides: &Loop,
     growths: &[Growth],
-    angles_rad: &[f64],
+    directions: &[c64],
 ) -> Option<Part> {
     let nodes = triangle.map(|node| node as usize);
     let p = nodes.map(|node| graph.positions[node]);
@@ -81,7 +82,7 @@ fn of_triangle(
         let growth = growths[side.link as usize];
         let lines = 0.5 * (growth.at_a + growth.at_b);
         sum += sign * if side.forward { lines } else { -growth.sign * lines };
-        line += graph.direction(*node, angles_rad[*node]) * sign;
+        line += graph.standing(*node, directions[*node]) * sign;
         sign *= growth.sign;
     }
     if sign < 0.0 {
