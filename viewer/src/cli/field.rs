@@ -52,11 +52,12 @@ pub(super) fn run(args: &FieldArgs, output: &Output) -> Result<(), Failure> {
     let (mesh, needs) = (&subject.mesh, needs_of([params])?);
     let wanted = Wanted { mesh, needs, field: subject.field()?, params, look: &subject.look };
     let built = args.view.surface.build(wanted, output)?;
-    let Some((fine, surface)) = built else { return Ok(()) };
+    let Some((cut, surface)) = built else { return Ok(()) };
+    let fine = cut.as_ref().unwrap_or(mesh);
     let made = making.elapsed();
     interrupt::stop_if_happened()?;
 
-    let inspection = Inspection::new(&fine, &surface, &scene, size).map_err(|error| report::reference(&error))?;
+    let inspection = Inspection::new(fine, &surface, &scene, size).map_err(|error| report::reference(&error))?;
     let patches = surface.patches.as_ref();
     let indices = surface.field.indices(&surface.graph);
     let [plus, minus] = [1, -1].map(|sign| indices.iter().filter(|index| **index * sign > 0).count());

@@ -171,10 +171,11 @@ impl Subject {
         let needs = needs_of(given.ways(&full, &needed, &laid))?;
         let wanted = Wanted { mesh: &mesh, needs, field: given.field()?, params: full, look: &given.look };
         let built = view.surface.build(wanted, output)?;
-        let mut gpu_mesh = renderer.mesh(built.as_ref().map_or(&mesh, |(cut, _)| cut)).map_err(report::gpu)?;
-        if let Some((cut, surface)) = built {
+        let (cut, surface) = built.unzip();
+        mesh = cut.flatten().unwrap_or(mesh);
+        let mut gpu_mesh = renderer.mesh(&mesh).map_err(report::gpu)?;
+        if let Some(surface) = surface {
             renderer.attach(&mut gpu_mesh, &surface).map_err(report::gpu)?;
-            mesh = cut;
         }
         Ok(Self { renderer, mesh, gpu_mesh, target, name, preset, scene, full, ways })
     }

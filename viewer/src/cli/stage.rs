@@ -1,5 +1,6 @@
 //! Everything that a picture needs, loaded, uploaded and set up.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -403,13 +404,11 @@ fn upload(
         progress.set(uploads.len() as f32 / count as f32);
         let (number, parts) = group.of;
         let whole = &objects.loaded[number].mesh;
-        let mesh = if parts.len() == whole.parts.len() { whole.clone() } else { whole.only(parts) };
+        let mesh = if parts.len() == whole.parts.len() { Cow::Borrowed(whole) } else { Cow::Owned(whole.only(parts)) };
         let Group { look, field, params, needs, .. } = group;
         let built = view.surface.build(Wanted { mesh: &mesh, needs, field, params, look }, output)?;
-        let (mesh, surface) = match built {
-            Some((mesh, surface)) => (mesh, Some(surface)),
-            None => (mesh, None),
-        };
+        let (cut, surface) = built.unzip();
+        let mesh = cut.flatten().unwrap_or_else(|| mesh.into_owned());
         let mut gpu = renderer.mesh(&mesh).map_err(report::gpu)?;
         if let Some(surface) = &surface {
             renderer.attach(&mut gpu, surface).map_err(report::gpu)?;

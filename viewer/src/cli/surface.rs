@@ -125,18 +125,30 @@ impl SurfaceArgs {
         self.surface.is_some()
     }
 
-    /// A surface, and the mesh that it belongs to, cut where it is too coarse; `None` where none is needed.
-    pub(super) fn build(&self, wanted: Wanted<'_>, output: &Output) -> Result<Option<(Mesh, Surface)>, Failure> {
+    /// A surface, and the mesh that it belongs to where that had to be cut; `None` where none is needed.
+    pub(super) fn build(
+        &self,
+        wanted: Wanted<'_>,
+        output: &Output,
+    ) -> Result<Option<(Option<Mesh>, Surface)>, Failure> {
         let Wanted { mesh, needs, field, params, look } = wanted;
         let lines_per_unit = look.stripes.unwrap_or(StripeOptions::default().lines_per_unit);
         let planar = look.planar.unwrap_or(false);
         let Some(options) = needs.options(field, &params, planar, lines_per_unit) else { return Ok(None) };
-        let fine = options.cut(mesh).unwrap_or_else(|| mesh.clone());
-        if fine.triangles.len() > mesh.triangles.len() && !output.json {
-            output.remark(&format!("note: cut into {} triangles, so that patches bend", fine.triangles.len()));
+        let cut = options.cut(mesh);
+        if let Some(cut) = cut.as_ref().filter(|_| !output.json) {
+            let triangles = cut.mesh.triangles.len();
+            output.remark(&format!("note: cut into {triangles} triangles, so that patches bend"));
+            if cut.is_coarser() {
+                output.remark(&format!(
+                    "note: their edges are {:.1} times as long as such tiles ask for, or there would be too many: patches \
+                     bend less; fewer tiles (--tiles) or a part of the mesh do",
+                    cut.longest / cut.asked
+                ));
+            }
         }
-        let surface = self.made(&fine, &options, output)?;
-        Ok(Some((fine, surface)))
+        let surface = self.made(cut.as_ref().map_or(mesh, |cut| &cut.mesh), &options, output)?;
+        Ok(Some((cut.map(|cut| cut.mesh), surface)))
     }
 
     /// The surface of the file, where it is for this mesh and these options, else a new one.

@@ -33,6 +33,7 @@ pub use prepare::{TRIANGLES_MAX, prepare};
 pub use query::Edge;
 pub use raw::{RawMesh, RawPart};
 pub use report::MeshReport;
+pub use subdivide::Cut;
 
 use glam::{Vec2, Vec3};
 

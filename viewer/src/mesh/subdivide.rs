@@ -2,25 +2,75 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 use super::prepare::adjacency::neighbours;
 use super::{Mesh, MeshReport, NONE, Part};
 
-/// Triangles beyond which no more are made.
-const TRIANGLES_MAX: usize = 8_000_000;
+/// Triangles that cutting adds at most, about.
+pub(crate) const PIECES_MAX: usize = 500_000;
 
 /// Rounds at most: each halves the longest edges.
 const ROUNDS: usize = 24;
 
+impl Cut {
+    /// Whether edges stayed longer than was asked for.
+    pub fn is_coarser(&self) -> bool {
+        self.longest > self.asked
+    }
+}
+
+/// A mesh whose long edges were cut.
+#[derive(Clone, Debug)]
+pub struct Cut {
+    /// The same surface.
+    pub mesh: Mesh,
+    /// The longest edge asked for, in mesh units.
+    pub asked: f32,
+    /// The longest that may have stayed: more than what was asked for where that took too many pieces.
+    pub longest: f32,
+}
+
 impl Mesh {
-    /// The same surface without edges longer than `longest`, in mesh units, as far as eight million triangles go.
-    /// Triangles that share an edge are cut at the same place, so nothing opens.
+    /// The same surface without edges longer than `longest`, in mesh units; where that takes over half a million more
+    /// triangles, with longer ones, told before any is cut. Triangles that share an edge are cut at the same place, so
+    /// nothing opens. `None` where no edge is longer.
+    pub fn cut(&self, longest: f32) -> Option<Cut> {
+        if longest.is_nan() || longest <= 0.0 || self.pieces(longest) <= self.triangles.len() as f64 {
+            return None;
+        }
+        let most = (self.triangles.len() + PIECES_MAX) as f64;
+        // In steps of half an octave: the first that is few enough.
+        let coarser = |step: i32| longest * f32::powi(2.0, step).sqrt();
+        let within = (0..2 * ROUNDS as i32).map(coarser).find(|longest| self.pieces(*longest) <= most)?;
+        Some(Cut { mesh: self.subdivided(within), asked: longest, longest: within })
+    }
+
+    /// About how many triangles there are once no edge is longer.
+    fn pieces(&self, longest: f32) -> f64 {
+        let inverse_squared = 1.0 / f64::from(longest * longest);
+        let of_triangle = |corners: &[u32; 3]| {
+            let p = corners.map(|vertex| self.positions[vertex as usize]);
+            // Each edge in halves, so many as make it short enough.
+            let [a, b, c] = [0, 1, 2].map(|k| {
+                let squared = f64::from(p[k].distance_squared(p[(k + 1) % 3])) * inverse_squared;
+                if squared > 1.0 { (squared.log2() / 2.0).ceil().exp2() } else { 1.0 }
+            });
+            // Exact where all are cut as often, and where one or two are cut once.
+            (a * b + b * c + c * a) / 3.0
+        };
+        self.triangles.par_iter().map(of_triangle).sum()
+    }
+
+    /// The same surface without edges longer than `longest`, in mesh units, however many triangles that takes. Triangles
+    /// that share an edge are cut at the same place, so nothing opens.
     pub fn subdivided(&self, longest: f32) -> Mesh {
         let mut mesh = self.clone();
         if longest.is_nan() || longest <= 0.0 {
             return mesh;
         }
         for _ in 0..ROUNDS {
-            if 4 * mesh.triangles.len() > TRIANGLES_MAX || !Cuts::new(&mut mesh, longest).cut() {
+            if !Cuts::new(&mut mesh, longest).cut() {
                 break;
             }
         }

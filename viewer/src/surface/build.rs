@@ -16,7 +16,7 @@ use super::patches::{PatchOptions, Patches, patches_on};
 use super::solve::SolveError;
 use super::stripes::rows::rows;
 use super::stripes::{StripeError, StripeOptions, Stripes, stripes};
-use crate::mesh::Mesh;
+use crate::mesh::{Cut, Mesh};
 use crate::params::{Mapping, Method, RenderParams};
 use crate::stage::stage;
 
@@ -86,12 +86,12 @@ impl SurfaceNeeds {
 }
 
 impl SurfaceOptions {
-    /// The mesh cut as fine as its patches need it; `None` where they need nothing of the kind.
-    pub fn cut(&self, mesh: &Mesh) -> Option<Mesh> {
+    /// The mesh cut as fine as its patches need it, or as fine as [`Mesh::cut`] goes; `None` where it is fine enough.
+    pub fn cut(&self, mesh: &Mesh) -> Option<Cut> {
         let patches = self.patches.map(|patches| patches.longest_edge());
         let lapped = self.lapped.map(|lapped| lapped.longest_edge());
         let longest = patches.into_iter().chain(lapped).reduce(f64::min)?;
-        Some(mesh.subdivided(longest as f32))
+        mesh.cut(longest as f32)
     }
 }
 

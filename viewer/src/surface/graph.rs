@@ -171,27 +171,27 @@ impl Graph {
     }
 
     fn link(&mut self, touching: &[[u32; 2]]) {
-        // Per triangle and corner: the opposite link and the cotangent at the corner.
-        let mut halves: Vec<(u32, u32, f64)> = self
-            .triangles
-            .par_iter()
-            .flat_map_iter(|triangle| {
-                let corners = triangle.map(|node| self.positions[node as usize]);
-                (0..3).filter_map(move |k| {
-                    let (i, j) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
-                    let (u, v) = (corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]);
-                    let area = u.cross(v).length().max(1e-12 * (u.length_squared() + v.length_squared()));
-                    (i != j).then(|| (i.min(j), i.max(j), 0.5 * u.dot(v) / area.max(1e-300)))
-                })
-            })
-            .chain(touching.par_iter().map(|[a, b]| (*a.min(b), *a.max(b), 0.0)))
-            .collect();
+        // Per triangle and corner: the opposite link and half the cotangent at the corner.
+        let of_corner = |triangle: &[u32; 3], k: usize| {
+            let (i, j) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+            let [at, u, v] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| self.positions[triangle[k] as usize]);
+            let (u, v) = (u - at, v - at);
+            let area = u.cross(v).length().max(1e-12 * (u.length_squared() + v.length_squared()));
+            (i.min(j), i.max(j), 0.5 * u.dot(v) / area.max(1e-300))
+        };
+        let mut halves: Vec<(u32, u32, f64)> = vec![(0, 0, 0.0); 3 * self.triangles.len() + touching.len()];
+        let (of_triangles, besides) = halves.split_at_mut(3 * self.triangles.len());
+        of_triangles.par_chunks_exact_mut(3).zip(&self.triangles).for_each(|(halves, triangle)| {
+            halves.iter_mut().enumerate().for_each(|(k, half)| *half = of_corner(triangle, k));
+        });
+        besides.iter_mut().zip(touching).for_each(|(half, [a, b])| *half = (*a.min(b), *a.max(b), 0.0));
         // A stable sort: the sums are the same for any number of threads.
         halves.par_sort_by_key(|(a, b, _)| (*a, *b));
-        let sums: Vec<(u32, u32, f64)> = halves
-            .chunk_by(|x, y| (x.0, x.1) == (y.0, y.1))
-            .map(|same| (same[0].0, same[0].1, same.iter().map(|half| half.2).sum()))
-            .collect();
+        let same = |x: &(u32, u32, f64), y: &(u32, u32, f64)| (x.0, x.1) == (y.0, y.1);
+        let links = || halves.chunk_by(same).filter(|same| same[0].0 != same[0].1);
+        let mut sums: Vec<(u32, u32, f64)> = Vec::with_capacity(links().count());
+        sums.extend(links().map(|same| (same[0].0, same[0].1, same.iter().map(|half| half.2).sum::<f64>())));
+        drop(halves);
         self.links = sums
             .par_iter()
             .map(|&(a, b, weight)| Link {

@@ -84,7 +84,7 @@ impl Bases {
     /// Makes a surface.
     pub(super) fn surface(&mut self, request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
         let SurfaceRequest { mesh: of, options } = &request;
-        let mut mesh = options.cut(of).map_or_else(|| of.clone(), |finer| of.cut(finer));
+        let mut mesh = options.cut(of).map_or_else(|| of.clone(), |cut| of.cut(cut.mesh));
         // What is cut at the same places is the same mesh.
         if let Some(kept) = self.kept.iter().find(|kept| kept.mesh == mesh) {
             mesh = kept.mesh.clone();

@@ -119,8 +119,8 @@ fn surface(
     let params = RenderParams { variety: 1.0, ..*params };
     let needs = needs_of(subject.ways(&params, methods, mappings))?;
     let wanted = Wanted { mesh, needs, field: subject.field()?, params, look: &subject.look };
-    if let Some(made) = args.view.surface.build(wanted, output)? {
-        return Ok(made);
+    if let Some((cut, surface)) = args.view.surface.build(wanted, output)? {
+        return Ok((cut.unwrap_or_else(|| mesh.clone()), surface));
     }
     let options = SurfaceOptions { field: subject.field()?, ..SurfaceOptions::default() };
     let job = Job { progress: None, cancel: Some(interrupt::flag()), measure: None };

@@ -63,6 +63,9 @@ use super::Patches;
 use super::corners::Entry;
 use crate::params::Follow;
 
+/// Vertices that are looked at in one go.
+const BLOCK: usize = 1 << 12;
+
 /// The patches of a mesh, corner by corner.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PatchVertices {
@@ -91,28 +94,34 @@ impl PatchVertices {
             packed(patches.of(face), k, triangles[face][k], seeds)
         };
         let (starts, slots) = by_vertex(triangles.as_flattened(), vertices);
-        // At one vertex, equal corners of different triangles are one; patches are equal where their seeds are.
-        let at_vertices: Vec<(Vec<PatchCorner>, Vec<u32>)> = (0..vertices)
-            .into_par_iter()
-            .map(|vertex| {
-                let slots = &slots[starts[vertex] as usize..starts[vertex + 1] as usize];
-                let mut different: Vec<([u32; OVERLAPS], PatchCorner)> = Vec::with_capacity(2);
-                let of_slot = |slot: &u32| {
+        // At one vertex, equal corners of different triangles are one; patches are equal where their seeds are. In blocks
+        // of vertices: the corners of each, and of each slot the number of its corner among them.
+        let block = |block: usize| {
+            let vertices = block * BLOCK..((block + 1) * BLOCK).min(vertices);
+            let count = (starts[vertices.end] - starts[vertices.start]) as usize;
+            let (mut corners, mut numbers) = (Vec::with_capacity(2 * BLOCK), Vec::with_capacity(count));
+            let mut different: Vec<([u32; OVERLAPS], PatchCorner)> = Vec::new();
+            for vertex in vertices {
+                for slot in &slots[starts[vertex] as usize..starts[vertex + 1] as usize] {
                     let own = (seeds[*slot as usize / 3], corner(*slot));
-                    different.iter().position(|known| *known == own).unwrap_or_else(|| {
+                    let number = different.iter().position(|known| *known == own).unwrap_or_else(|| {
                         different.push(own);
                         different.len() - 1
-                    }) as u32
-                };
-                let numbers = slots.iter().map(of_slot).collect();
-                (different.into_iter().map(|(_, corner)| corner).collect(), numbers)
-            })
-            .collect();
+                    });
+                    numbers.push((corners.len() + number) as u32);
+                }
+                corners.extend(different.drain(..).map(|(_, corner)| corner));
+            }
+            (corners, numbers)
+        };
+        let blocks: Vec<(Vec<PatchCorner>, Vec<u32>)> =
+            (0..vertices.div_ceil(BLOCK)).into_par_iter().map(block).collect();
         let mut this = Self { corners: Vec::new(), indices: vec![0; 3 * triangles.len()], seeds: named };
-        for (vertex, (corners, numbers)) in at_vertices.into_iter().enumerate() {
+        this.corners.reserve_exact(blocks.iter().map(|(corners, _)| corners.len()).sum());
+        let mut slots = slots.iter();
+        for (corners, numbers) in blocks {
             let first = this.corners.len() as u32;
-            let slots = &slots[starts[vertex] as usize..];
-            for (slot, number) in slots.iter().zip(numbers) {
+            for (number, slot) in numbers.into_iter().zip(&mut slots) {
                 this.indices[*slot as usize] = first + number;
             }
             this.corners.extend(corners);
