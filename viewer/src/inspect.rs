@@ -152,7 +152,7 @@ impl<'a> Inspection<'a> {
 
 /// Seeds and weights at a place of a triangle, as the shaders have them.
 fn weights(entries: &[Entry], corners: DVec3) -> impl Iterator<Item = (u32, f64)> {
-    let behind = |entry: &Entry| DVec3::from(entry.behind).dot(corners);
+    let behind = |entry: &Entry| DVec3::from(entry.behind.map(f64::from)).dot(corners);
     let least = entries.iter().map(behind).fold(f64::INFINITY, f64::min);
     let raw: Vec<(u32, f64)> =
         entries.iter().map(|entry| (entry.seed, (1.0 - (behind(entry) - least)).max(0.0))).collect();

@@ -139,12 +139,8 @@ impl SurfaceArgs {
         if let Some(cut) = cut.as_ref().filter(|_| !output.json) {
             let triangles = cut.mesh.triangles.len();
             output.remark(&format!("note: cut into {triangles} triangles, so that patches bend"));
-            if cut.is_coarser() {
-                output.remark(&format!(
-                    "note: their edges are {:.1} times as long as such tiles ask for, or there would be too many: patches \
-                     bend less; fewer tiles (--tiles) or a part of the mesh do",
-                    cut.longest / cut.asked
-                ));
+            if let Some(note) = cut.note() {
+                output.remark(&format!("note: {note}"));
             }
         }
         let surface = self.made(cut.as_ref().map_or(mesh, |cut| &cut.mesh), &options, output)?;

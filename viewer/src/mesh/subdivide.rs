@@ -13,13 +13,6 @@ pub(crate) const PIECES_MAX: usize = 500_000;
 /// Rounds at most: each halves the longest edges.
 const ROUNDS: usize = 24;
 
-impl Cut {
-    /// Whether edges stayed longer than was asked for.
-    pub fn is_coarser(&self) -> bool {
-        self.longest > self.asked
-    }
-}
-
 /// A mesh whose long edges were cut.
 #[derive(Clone, Debug)]
 pub struct Cut {
@@ -29,6 +22,19 @@ pub struct Cut {
     pub asked: f32,
     /// The longest that may have stayed: more than what was asked for where that took too many pieces.
     pub longest: f32,
+}
+
+impl Cut {
+    /// What to know of it where edges stayed longer than was asked for.
+    pub fn note(&self) -> Option<String> {
+        (self.longest > self.asked).then(|| {
+            format!(
+                "patches bend less than tiles as small as these ask for: edges are {:.1} times as long, or there would be \
+                 too many triangles; fewer tiles, or a part of the mesh, have all they need",
+                self.longest / self.asked
+            )
+        })
+    }
 }
 
 impl Mesh {
@@ -239,8 +245,26 @@ mod tests {
     }
 
     #[test]
+    fn cuts_have_a_budget_and_say_so() {
+        for (sample, triangles) in [(Sample::TorusKnot, 20_000), (Sample::Cube, 12), (Sample::Chair, 3_000)] {
+            let mesh = prepare(sample.build(triangles)).expect("a sample").mesh;
+            let cut = mesh.cut(0.04).expect("long edges");
+            assert!(cut.longest == cut.asked && cut.note().is_none(), "{}", sample.name());
+            assert_eq!(cut.mesh.triangles, mesh.subdivided(0.04).triangles);
+            // As many as were foreseen, within half.
+            let ratio = cut.mesh.triangles.len() as f64 / mesh.pieces(0.04);
+            assert!((0.5..1.5).contains(&ratio), "{}: {ratio}", sample.name());
+            let cut = mesh.cut(2e-4).expect("long edges");
+            assert!(cut.mesh.triangles.len() < mesh.triangles.len() + super::PIECES_MAX * 3 / 2, "{}", sample.name());
+            assert!(cut.mesh.triangles.len() > mesh.triangles.len() && cut.longest > cut.asked);
+            assert!(cut.note().expect("a note").contains("times as long"));
+        }
+    }
+
+    #[test]
     fn what_is_fine_enough_stays_as_it_is() {
         let mesh = prepare(Sample::Sphere.build(2_000)).expect("a sphere").mesh;
+        assert!(mesh.cut(3.0).is_none() && mesh.cut(0.0).is_none());
         assert_eq!(mesh.subdivided(3.0).triangles, mesh.triangles);
         assert_eq!(mesh.subdivided(f32::NAN).triangles, mesh.triangles);
     }

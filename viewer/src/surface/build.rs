@@ -171,8 +171,7 @@ impl SurfaceBase {
         let (graph, field) = (&*self.graph, &*self.field);
         match coarse {
             None => Ground { graph, curvatures: curvatures.into(), field, coarse: None },
-            // Clusters that touch are one and a half radii apart in the mean. What is flat is flat for each node.
-            Some((coarse, of_clusters)) if !options.planar && options.longest_edge() > 1.5 * coarse.radius => {
+            Some((coarse, of_clusters)) if coarse.serves(options) => {
                 let curvatures = curvatures.into();
                 Ground { graph: &coarse.graph, curvatures, field: of_clusters, coarse: Some(coarse) }
             }

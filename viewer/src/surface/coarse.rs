@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::curvature::{self, Curvature};
 use super::field::Field;
 use super::graph::Graph;
-use super::patches::Ordered;
+use super::patches::{Ordered, PatchOptions};
 use crate::stage::Held;
 
 /// Distance over which a cluster is felt, in radii of clusters: those around a node, and no others.
@@ -81,7 +81,7 @@ impl Coarse {
     /// The same for any number of threads.
     pub(crate) fn new(fine: &Graph, radius: f64) -> Option<Self> {
         // Two links are no distance: most clusters would have few nodes.
-        if radius.is_nan() || radius < 2.0 * fine.mean_link() {
+        if fine.is_empty() || radius.is_nan() || radius < 2.0 * fine.mean_link() {
             return None;
         }
         let (centres, clusters) = clusters(fine, radius);
@@ -94,6 +94,12 @@ impl Coarse {
         let to_centres = to_centres.collect();
         let around = around(fine, &graph, &clusters, FELT * radius);
         Some(Self { radius, graph, centres, to_centres, clusters, members, around })
+    }
+
+    /// Whether such patches may be laid out on it. Clusters that touch are one and a half radii apart in the mean; what is
+    /// flat is flat for each node.
+    pub(crate) fn serves(&self, options: &PatchOptions) -> bool {
+        !options.planar && options.longest_edge() > 1.5 * self.radius
     }
 
     /// Nodes of a cluster.
@@ -264,4 +270,121 @@ impl Held for Option<Coarse> {
 /// averaged.
 pub(crate) fn radius_of_fields(graph: &Graph) -> f64 {
     curvature::RADIUS * graph.diagonal() / 3.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::curvature::{curvatures, curvatures_on};
+    use super::super::field::{FieldOptions, field};
+    use super::super::patches::{Patches, patches, patches_on};
+    use super::*;
+    use crate::mesh::sample::Sample;
+    use crate::mesh::{Mesh, prepare};
+
+    /// A mesh, its graph and clusters of about twenty nodes.
+    fn clustered(sample: Sample) -> (Mesh, Graph, Coarse) {
+        let mesh = prepare(sample.build(60_000)).expect("a sample").mesh;
+        let graph = Graph::new(&mesh);
+        let coarse = Coarse::new(&graph, 2.5 * graph.mean_link()).expect("clusters");
+        (mesh, graph, coarse)
+    }
+
+    #[test]
+    fn clusters_hold_all_nodes_and_are_about_as_far_apart_everywhere() {
+        for sample in [Sample::Hand, Sample::Teapot] {
+            let (_, graph, coarse) = clustered(sample);
+            let count = coarse.centres.len();
+            assert!((6 * count..60 * count).contains(&graph.len()), "{count} clusters of {} nodes", graph.len());
+            for cluster in 0..count as u32 {
+                let centre = coarse.centres[cluster as usize];
+                assert!(coarse.members(cluster).contains(&centre));
+                for node in coarse.members(cluster) {
+                    let away = graph.positions[*node as usize].distance(graph.positions[centre as usize]);
+                    assert!(coarse.clusters[*node as usize] == cluster && away <= coarse.radius);
+                }
+            }
+            let members: usize = (0..count as u32).map(|cluster| coarse.members(cluster).len()).sum();
+            assert_eq!(members, graph.len());
+            let area = |graph: &Graph| graph.areas.iter().sum::<f64>();
+            assert!((area(&coarse.graph) / area(&graph) - 1.0).abs() < 1e-9);
+            // What is the same everywhere stays so.
+            assert!(coarse.spread(&vec![3.0; count]).iter().all(|mean| (mean - 3.0).abs() < 1e-5));
+            assert!((0..count).all(|cluster| !coarse.graph.ends(cluster).is_empty()), "none stands alone");
+        }
+    }
+
+    #[test]
+    fn meshes_that_are_no_finer_have_no_clusters() {
+        let graph = Graph::new(&prepare(Sample::Hand.build(20_000)).expect("a hand").mesh);
+        assert!(Coarse::new(&graph, radius_of_fields(&graph)).is_none());
+        assert!(Coarse::new(&graph, f64::NAN).is_none());
+        assert!(Coarse::new(&Graph::default(), 1.0).is_none());
+    }
+
+    /// Mean angle in degrees between two fields, weighed by area and by how clear both are.
+    fn apart_deg(graph: &Graph, a: &Field, b: &Field) -> f64 {
+        let (mut sum, mut total) = (0.0, 0.0);
+        for node in 0..graph.len() {
+            let weight = graph.areas[node] * a.strengths[node] * b.strengths[node];
+            let cos = a.direction(graph, node).dot(b.direction(graph, node)).abs().min(1.0);
+            sum += weight * cos.acos().to_degrees();
+            total += weight;
+        }
+        sum / total
+    }
+
+    #[test]
+    fn directions_and_patches_found_on_clusters_are_those_of_all_nodes() {
+        for (sample, most_deg) in [(Sample::Torus, 0.5), (Sample::Hand, 4.0), (Sample::Head, 4.0)] {
+            let (mesh, graph, coarse) = clustered(sample);
+            let options = FieldOptions::default();
+            let of_nodes = curvatures(&graph);
+            let alone = field(&graph, &mesh, &of_nodes, &options).expect("a field");
+            let curvatures = curvatures_on(&graph, &coarse.graph, |node| coarse.clusters[node as usize]);
+            let of_clusters = field(&coarse.graph, &mesh, &curvatures, &options).expect("a field");
+            let carried = coarse.field(&graph, &of_clusters);
+            let apart = apart_deg(&graph, &alone, &carried);
+            assert!(apart < most_deg, "{}: {apart} degrees", sample.name());
+
+            // As large as they are where clusters of this size are used.
+            let options = PatchOptions { tiles_per_unit: 0.7, ..PatchOptions::default() };
+            assert!(coarse.serves(&options), "{}", sample.name());
+            let direct = patches(&graph, &of_nodes, &alone, &options);
+            let ground = Ground {
+                graph: &coarse.graph,
+                curvatures: curvatures.into(),
+                field: &of_clusters,
+                coarse: Some(&coarse),
+            };
+            let made = patches_on(&ground, &graph, &carried, &options);
+            let [seeds, expected] = [&made, &direct].map(|patches| patches.seeds.len() as f64);
+            assert!((seeds / expected - 1.0).abs() < 0.15, "{}: {seeds} patches for {expected}", sample.name());
+            let alone = |patches: &Patches| patches.entries.iter().filter(|entry| entry.seed == u32::MAX).count();
+            assert!(
+                alone(&made) <= alone(&direct) + mesh.triangles.len() / 2_000,
+                "{}: {}",
+                sample.name(),
+                alone(&made)
+            );
+            let [stretch, expected] = [&made, &direct].map(|patches| stretch(&graph, patches, &options));
+            assert!(stretch < 1.15 * expected + 0.003, "{}: {stretch} for {expected}", sample.name());
+        }
+    }
+
+    /// By how much places change lengths, where patches weigh: the mean of the amounts of ln(found / true).
+    fn stretch(graph: &Graph, patches: &Patches, options: &PatchOptions) -> f64 {
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (face, nodes) in graph.triangles.iter().enumerate() {
+            for entry in patches.of(face).iter().filter(|entry| entry.behind.iter().all(|behind| *behind < 1.0)) {
+                for k in 0..3 {
+                    let [a, b] = [k, (k + 1) % 3];
+                    let found = f64::from(entry.uv[a].distance(entry.uv[b])) / options.tiles_per_unit;
+                    let length = graph.positions[nodes[a] as usize].distance(graph.positions[nodes[b] as usize]);
+                    sum += length * (found / length).max(1e-3).ln().abs();
+                    total += length;
+                }
+            }
+        }
+        sum / total
+    }
 }

@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 use tam_shaders::cpu::lib::patches::PLACE_RANGE;
 use tam_shaders::types::StripePhases;
 
@@ -210,9 +210,9 @@ impl StoredPatches {
 }
 
 /// The place of a code; packed again it gives the same code.
-fn place(code: u32) -> DVec2 {
+fn place(code: u32) -> Vec2 {
     let half = |bits: u32| f64::from(bits as u16 as i16) / 32767.0 * PLACE_RANGE;
-    DVec2::new(half(code & 0xffff), half(code >> 16))
+    DVec2::new(half(code & 0xffff), half(code >> 16)).as_vec2()
 }
 
 fn stripes(lines: &[Vec<u32>; 2], faces: usize) -> Result<Stripes, StoreError> {

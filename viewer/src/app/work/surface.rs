@@ -7,7 +7,7 @@ use tam_gen::Job;
 
 use super::named::Named;
 use super::worker::{Manner, Wake, Worker};
-use crate::mesh::Mesh;
+use crate::mesh::{Cut, Mesh};
 use crate::surface::{FieldOptions, Surface, SurfaceBase, SurfaceError, SurfaceOptions};
 
 /// A surface is for one mesh and one set of options.
@@ -23,6 +23,8 @@ pub(super) struct MadeSurface {
     pub request: SurfaceRequest,
     pub mesh: Named<Mesh>,
     pub surface: Named<Surface>,
+    /// What to know of it.
+    pub note: Option<String>,
 }
 
 pub(super) enum SurfaceReply {
@@ -84,7 +86,9 @@ impl Bases {
     /// Makes a surface.
     pub(super) fn surface(&mut self, request: SurfaceRequest, job: &Job<'_>) -> Result<MadeSurface, SurfaceError> {
         let SurfaceRequest { mesh: of, options } = &request;
-        let mut mesh = options.cut(of).map_or_else(|| of.clone(), |cut| of.cut(cut.mesh));
+        let cut = options.cut(of);
+        let note = cut.as_ref().and_then(Cut::note);
+        let mut mesh = cut.map_or_else(|| of.clone(), |cut| of.cut(cut.mesh));
         // What is cut at the same places is the same mesh.
         if let Some(kept) = self.kept.iter().find(|kept| kept.mesh == mesh) {
             mesh = kept.mesh.clone();
@@ -103,7 +107,7 @@ impl Bases {
         self.kept.push(kept);
         self.make_room();
         let surface = Named::surface(&mesh, options, Surface::on(&base, &mesh, options, job)?);
-        Ok(MadeSurface { request, mesh, surface })
+        Ok(MadeSurface { request, mesh, surface, note })
     }
 
     /// Drops what was used longest ago, and what nobody else has any more.

@@ -36,11 +36,11 @@ impl Cover {
     /// Paints a patch over what is there.
     pub(super) fn paste(&mut self, seed: u32, patch: &Patch, alphas: &[f64], offset_uv: DVec2) {
         for member in &patch.members {
-            let behind = member.nodes.map(|node| alphas[node as usize]);
+            let behind = member.nodes.map(|node| alphas[node as usize] as f32);
             if behind == [0.0; 3] {
                 continue;
             }
-            let uv = member.nodes.map(|node| patch.places[node as usize] + offset_uv);
+            let uv = member.nodes.map(|node| (patch.places[node as usize] + offset_uv).as_vec2());
             let painted = &mut self.painted[member.face as usize];
             if behind == [1.0; 3] {
                 painted.clear();
@@ -77,7 +77,7 @@ fn gap(painted: &[Entry]) -> f64 {
     for i in 0..=STEPS {
         for j in 0..=STEPS - i {
             let corners = [i, j, STEPS - i - j].map(|steps| steps as f64 / STEPS as f64);
-            let alpha = |entry: &Entry| (0..3).map(|k| corners[k] * entry.behind[k]).sum::<f64>();
+            let alpha = |entry: &Entry| (0..3).map(|k| corners[k] * f64::from(entry.behind[k])).sum::<f64>();
             greatest = greatest.max(painted.iter().map(|entry| 1.0 - alpha(entry)).product());
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 
-use glam::{DVec3, Vec3, vec3};
+use glam::{DVec3, Vec2, Vec3, vec3};
 
 use super::faces::{Face, NONE, faces};
 use super::grow::Patch;
@@ -81,7 +81,7 @@ fn every_triangle_is_covered_and_its_first_patch_is_opaque() {
             // places at which the cover is looked at.
             let places = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0 / 3.0; 3]];
             for place in places {
-                let alpha = |entry: &Entry| (0..3).map(|k| place[k] * entry.behind[k]).sum::<f64>();
+                let alpha = |entry: &Entry| (0..3).map(|k| place[k] * f64::from(entry.behind[k])).sum::<f64>();
                 let through: f64 = cover.of(face).iter().map(|entry| 1.0 - alpha(entry)).product();
                 assert!(through < 0.02, "{} {face}: {through}", mesh.name);
             }
@@ -105,7 +105,7 @@ fn places_and_alphas_are_continuous_within_a_patch() {
         let mesh = sample(kind, 3_000);
         let (graph, field) = field_of(&mesh, &FieldOptions::default());
         let (seeds, cover) = painted(&graph, &field, &LappedOptions::default()).expect("patches");
-        let mut known: BTreeMap<(u32, u32), (DVec2, f64)> = BTreeMap::new();
+        let mut known: BTreeMap<(u32, u32), (Vec2, f32)> = BTreeMap::new();
         let mut shared = 0;
         for (face, nodes) in graph.triangles.iter().enumerate() {
             for entry in cover.of(face) {
@@ -129,7 +129,7 @@ fn along_deg(graph: &Graph, patches: &Patches, wanted: impl Fn(DVec3) -> DVec3) 
         let wanted = wanted((a + b + c) / 3.0).normalize();
         let doubled_area = (b - a).cross(c - a).length();
         for entry in patches.of(face) {
-            let [_, first, second] = entry.uv.map(|uv| uv - entry.uv[0]);
+            let [_, first, second] = entry.uv.map(|uv| (uv - entry.uv[0]).as_dvec2());
             let along = (b - a) * second.y - (c - a) * first.y;
             angle_sum += doubled_area * along.normalize().dot(wanted).abs().min(1.0).acos().to_degrees();
             // The gradient of t is as long as `along`, over twice the area.
@@ -293,7 +293,7 @@ fn outlines_are_irregular_and_no_edge_steps_over_them() {
 
 #[test]
 fn alphas_reach_the_shaders_whole() {
-    let entry = Entry { seed: 0, uv: [DVec2::ZERO; 3], behind: [1.0, 0.5, 0.0] };
+    let entry = Entry { seed: 0, uv: [Vec2::ZERO; 3], behind: [1.0, 0.5, 0.0] };
     let codes = |code: u32| [code & 1023, (code >> 10) & 1023, (code >> 20) & 1023];
     assert_eq!(codes(entry.packed(true).shares), [1023, 512, 0]);
     // As distances they are quarters of the range.

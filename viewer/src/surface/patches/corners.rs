@@ -26,7 +26,7 @@ const MAX_OVERLAP: usize = 5;
 
 /// A patch's places must keep the lengths of a triangle within this factor: where a patch meets itself round a finger,
 /// they do not.
-const GREATEST_STRETCH: f64 = 2.5;
+const GREATEST_STRETCH: f32 = 2.5;
 
 /// A patch as one triangle sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,9 +34,9 @@ pub struct Entry {
     /// Index of the seed; `u32::MAX` where the triangle has a plane of its own.
     pub seed: u32,
     /// Per corner, place on the tile, in tiles.
-    pub uv: [DVec2; 3],
+    pub uv: [Vec2; 3],
     /// Per corner: distance behind the nearest patch, in feathers, 0..=4; of lapped patches the alpha, 0..=1.
-    pub behind: [f64; 3],
+    pub behind: [f32; 3],
 }
 
 impl Entry {
@@ -47,12 +47,12 @@ impl Entry {
 
     /// Its distances or alphas as 16-bit unorm.
     pub(in crate::surface) fn share_codes(&self, lapped: bool) -> [u16; 3] {
-        self.behind.map(|share| (share / Self::range(lapped) * 65535.0).round() as u16)
+        self.behind.map(|share| (f64::from(share) / Self::range(lapped) * 65535.0).round() as u16)
     }
 
     /// Those of such codes.
-    pub(in crate::surface) fn shares_of(codes: [u16; 3], lapped: bool) -> [f64; 3] {
-        codes.map(|code| f64::from(code) / 65535.0 * Self::range(lapped))
+    pub(in crate::surface) fn shares_of(codes: [u16; 3], lapped: bool) -> [f32; 3] {
+        codes.map(|code| (f64::from(code) / 65535.0 * Self::range(lapped)) as f32)
     }
 
     /// The same, its distances or alphas rounded to the steps of their codes.
@@ -64,7 +64,8 @@ impl Entry {
     /// As the shaders read it; `lapped` as in [`Patches::lapped`].
     pub fn packed(&self, lapped: bool) -> PatchEntry {
         let range = Self::range(lapped);
-        PatchEntry { places: self.uv.map(pack_place), shares: pack_tens(self.behind.map(|behind| behind / range)) }
+        let shares = pack_tens(self.behind.map(|behind| f64::from(behind) / range));
+        PatchEntry { places: self.uv.map(|uv| pack_place(uv.as_dvec2())), shares }
     }
 }
 
@@ -108,7 +109,11 @@ pub(super) fn gather(graph: &Graph, field: &Field, maps: Vec<Map>, options: &Pat
         for triangle in triangles {
             entries(graph, *triangle, triangle.map(of), &mut found);
             if found.is_empty() {
-                found.push(Entry { seed: u32::MAX, uv: planar(graph, field, *triangle), behind: [0.0; 3] });
+                found.push(Entry {
+                    seed: u32::MAX,
+                    uv: planar(graph, field, *triangle).map(DVec2::as_vec2),
+                    behind: [0.0; 3],
+                });
             }
             block.1.extend(found.drain(..).map(|entry| finish(entry, &seeds, options)));
             block.0.push(block.1.len() as u32);
@@ -138,13 +143,13 @@ pub(super) fn gather(graph: &Graph, field: &Field, maps: Vec<Map>, options: &Pat
 
 /// An entry whose places are in mesh units, in tiles.
 fn finish(entry: Entry, seeds: &[Seed], options: &PatchOptions) -> Entry {
-    let uv = entry.uv.map(|place| place * options.tiles_per_unit);
+    let uv = entry.uv.map(|place| place.as_dvec2() * options.tiles_per_unit);
     let uv = match seeds.get(entry.seed as usize) {
         Some(seed) => uv.map(|corner| corner + DVec2::from(seed.offset_uv)),
         // Whole tiles are taken off, so that the numbers stay small.
         None => uv.map(|corner| corner - uv[0].floor()),
     };
-    Entry { uv, ..entry }
+    Entry { uv: uv.map(DVec2::as_vec2), ..entry }
 }
 
 /// The patches at each node, node by node.
@@ -171,18 +176,19 @@ fn by_node(graph: &Graph, maps: Vec<Map>) -> (Vec<usize>, Vec<Seen>) {
 
 /// The patches of a triangle that weigh anything somewhere in it, into `entries`; places in mesh units.
 fn entries(graph: &Graph, triangle: [u32; 3], seen: [&[Seen]; 3], entries: &mut Vec<Entry>) {
-    let lengths = |places: [DVec2; 3]| [0, 1, 2].map(|k| places[(k + 1) % 3].distance(places[k]));
+    let lengths = |places: [Vec2; 3]| [0, 1, 2].map(|k| places[(k + 1) % 3].distance(places[k]));
     let corners = triangle.map(|node| graph.positions[node as usize]);
-    let true_lengths = [0, 1, 2].map(|k| corners[(k + 1) % 3].distance(corners[k]));
-    let longest = true_lengths.iter().copied().fold(0.0, f64::max);
-    let greatest = |entry: &Entry| entry.behind.into_iter().fold(0.0, f64::max);
-    let least = |entry: &Entry| entry.behind.into_iter().fold(f64::INFINITY, f64::min);
+    let true_lengths = [0, 1, 2].map(|k| corners[(k + 1) % 3].distance(corners[k]) as f32);
+    let longest = true_lengths.iter().copied().fold(0.0, f32::max);
+    let greatest = |entry: &Entry| entry.behind.into_iter().fold(0.0, f32::max);
+    let least = |entry: &Entry| entry.behind.into_iter().fold(f32::INFINITY, f32::min);
     let of_patch = |first: &Seen| {
         // A patch that does not reach all three corners ends before this triangle.
         let at = [1, 2].map(|k| seen[k].iter().find(|other| other.seed == first.seed));
         let [Some(second), Some(third)] = at else { return None };
-        let uv = [first.place, second.place, third.place].map(Vec2::as_dvec2);
-        Some(Entry { seed: first.seed, uv, behind: [first, second, third].map(|seen| f64::from(seen.behind)) })
+        let three = [first, second, third];
+        let (uv, behind) = (three.map(|seen| seen.place), three.map(|seen| seen.behind));
+        Some(Entry { seed: first.seed, uv, behind })
     };
     let is_whole = |entry: &Entry| {
         lengths(entry.uv).into_iter().zip(true_lengths).all(|(found, wanted)| {
@@ -192,14 +198,14 @@ fn entries(graph: &Graph, triangle: [u32; 3], seen: [&[Seen]; 3], entries: &mut 
     };
     let all = || seen[0].iter().filter_map(of_patch);
     entries.clear();
-    entries.extend(all().filter(|entry| least(entry) < BEHIND_RANGE && is_whole(entry)));
+    entries.extend(all().filter(|entry| least(entry) < BEHIND_RANGE as f32 && is_whole(entry)));
     // Those that stand as far behind as any have been left out, unless there are no others.
     let all_far = entries.is_empty();
     if all_far {
         entries.extend(all().filter(is_whole));
     }
     // Somewhere in the triangle the least δ may be this great, so more patches than those at the corners can weigh.
-    let slack = entries.iter().map(greatest).fold(f64::INFINITY, f64::min);
+    let slack = entries.iter().map(greatest).fold(f32::INFINITY, f32::min);
     entries.retain(|entry| least(entry) < 1.0 + slack);
     entries.sort_by(|a, b| least(a).total_cmp(&least(b)).then(a.seed.cmp(&b.seed)));
     if all_far {
@@ -260,7 +266,9 @@ fn mean_weights(entries: &[Entry]) -> Vec<f64> {
     ];
     let mut sums = vec![0.0; entries.len()];
     for place in PLACES {
-        let behind = |entry: &Entry| entry.behind.iter().zip(place).map(|(behind, share)| behind * share).sum::<f64>();
+        let behind = |entry: &Entry| {
+            entry.behind.iter().zip(place).map(|(behind, share)| f64::from(*behind) * share).sum::<f64>()
+        };
         let least = entries.iter().map(behind).fold(f64::INFINITY, f64::min);
         let weight = |entry: &Entry| (1.0 - (behind(entry) - least)).max(0.0);
         let total: f64 = entries.iter().map(weight).sum();

@@ -153,7 +153,7 @@ pub fn patches(graph: &Graph, curvatures: &[Curvature], field: &Field, options: 
 /// The same, laid out on fewer nodes where the ground has them; `graph` and `field` are those of all nodes.
 pub(super) fn patches_on(ground: &Ground<'_>, graph: &Graph, field: &Field, options: &PatchOptions) -> Patches {
     let spacing = options.spacing_tiles / options.tiles_per_unit;
-    let density = seeds::density(ground.graph, &ground.curvatures, spacing, options.greatest_density);
+    let density = seeds::density(ground, spacing, options.greatest_density);
     let nodes = stage("patches: seeds", || seeds::spread(ground.graph, &density, spacing));
     let maps = stage("patches: maps", || maps::maps(ground, graph, &density, &nodes, options));
     stage("patches: corners", || corners::gather(graph, field, maps, options).in_steps())

@@ -7,6 +7,7 @@ use std::collections::BinaryHeap;
 use rayon::prelude::*;
 use tam_gen::sequence::Draw;
 
+use crate::surface::coarse::Ground;
 use crate::surface::curvature::Curvature;
 use crate::surface::graph::Graph;
 
@@ -28,14 +29,15 @@ impl Ord for Ordered {
     }
 }
 
-/// Rounds in which the density is made smooth.
-const SMOOTHING: usize = 4;
+/// Rounds in which the density is made smooth, where nodes are clusters and where they are not.
+const SMOOTHING: [usize; 2] = [1, 4];
 
 /// How many times closer patches stand at each node than on flat ground, 1..=`greatest`.
-pub(super) fn density(graph: &Graph, curvatures: &[Curvature], spacing: f64, greatest: f64) -> Vec<f64> {
+pub(super) fn density(ground: &Ground<'_>, spacing: f64, greatest: f64) -> Vec<f64> {
+    let Ground { graph, curvatures, .. } = ground;
     let wanted = |curvature: &Curvature| (curvature.greatest() * spacing).clamp(1.0, greatest);
     let mut density: Vec<f64> = curvatures.iter().map(wanted).collect();
-    for _ in 0..SMOOTHING {
+    for _ in 0..SMOOTHING[usize::from(ground.coarse.is_none())] {
         density = (0..graph.len())
             .into_par_iter()
             .map(|node| {

@@ -102,7 +102,7 @@ fn every_triangle_has_patches_and_all_numbers_are_in_range() {
                     assert!(entry.uv.iter().all(|uv| uv.is_finite()), "{} {face}", sample.name());
                     assert!(entry.behind.iter().all(|behind| (0.0..=4.0).contains(behind)));
                     // Planes of single triangles may be large; a patch never is.
-                    let most = entry.uv.iter().map(|uv| uv.abs().max_element()).fold(0.0, f64::max);
+                    let most = entry.uv.iter().map(|uv| uv.abs().max_element()).fold(0.0, f32::max);
                     assert!(entry.seed == u32::MAX || most < 4.0, "{} {face}: {most}", sample.name());
                 }
             }
@@ -116,7 +116,7 @@ fn weights_are_continuous_across_edges() {
     let (graph, patches) = built(&mesh);
     // Weights of the seeds at the middle of the edge from corner k to k + 1.
     let weights = |face: usize, k: usize| -> BTreeMap<u32, f64> {
-        let behind = |entry: &Entry| 0.5 * (entry.behind[k] + entry.behind[(k + 1) % 3]);
+        let behind = |entry: &Entry| 0.5 * f64::from(entry.behind[k] + entry.behind[(k + 1) % 3]);
         let least = patches.of(face).iter().map(behind).fold(f64::INFINITY, f64::min);
         let raw: Vec<(u32, f64)> =
             patches.of(face).iter().map(|entry| (entry.seed, (1.0 - (behind(entry) - least)).max(0.0))).collect();
@@ -209,9 +209,9 @@ fn corners_carry_the_patches_of_their_triangles_and_triangles_share_them() {
                         let is_it = |i: &usize| {
                             let (place, behind) = (overlap.places[*i], overlap.behind[*i]);
                             // Half a step of the codes; lone triangles may lie beyond their range.
-                            let far = entry.uv[k].abs().max_element() > PLACE_RANGE;
-                            (far || (place - entry.uv[k]).abs().max_element() < 7e-5)
-                                && (behind - entry.behind[k]).abs() < 1e-12
+                            let far = f64::from(entry.uv[k].abs().max_element()) > PLACE_RANGE;
+                            (far || (place - entry.uv[k].as_dvec2()).abs().max_element() < 7e-5)
+                                && (behind - f64::from(entry.behind[k])).abs() < 1e-6
                                 && (follow == Follow::Surface || overlap.seeds[*i] == entry.seed)
                         };
                         assert!((0..OVERLAPS).any(|i| is_it(&i)), "{} {face} {k}: {overlap:?}", sample.name());

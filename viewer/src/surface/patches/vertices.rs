@@ -180,9 +180,9 @@ fn seeds(entries: &[Entry]) -> [u32; OVERLAPS] {
 /// What corner `k` of a triangle sees.
 fn packed(entries: &[Entry], k: usize, vertex: u32, seeds: u32) -> PatchCorner {
     let entries = ordered(entries);
-    let behind = entries.map(|entry| entry.map_or(1.0, |entry| entry.behind[k] / BEHIND_RANGE));
+    let behind = entries.map(|entry| entry.map_or(1.0, |entry| f64::from(entry.behind[k]) / BEHIND_RANGE));
     PatchCorner {
-        places: entries.map(|entry| pack_place(entry.map_or(DVec2::ZERO, |entry| entry.uv[k]))),
+        places: entries.map(|entry| pack_place(entry.map_or(DVec2::ZERO, |entry| entry.uv[k].as_dvec2()))),
         behind: [[0, 1], [2, 3]].map(|[a, b]| pack2x16unorm(DVec2::new(behind[a], behind[b]))),
         vertex,
         seeds,

@@ -76,7 +76,12 @@ impl Engine {
         let room = SURFACES.max(self.needed + 2);
         for reply in self.surfaces.replies() {
             match reply {
-                SurfaceReply::Made(made) => keep(&mut self.made, *made, room),
+                SurfaceReply::Made(mut made) => {
+                    if let Some(note) = made.note.take() {
+                        notice(Severity::Info, note);
+                    }
+                    keep(&mut self.made, *made, room);
+                }
                 SurfaceReply::Failed(request, problem) => {
                     notice(Severity::Error, problem.clone());
                     results.surface_problem = Some(problem);
