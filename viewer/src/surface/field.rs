@@ -9,12 +9,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use faer::c64;
-use faer::sparse::Triplet;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::curvature::Curvature;
-use super::graph::{Graph, wrapped};
+use super::graph::{Graph, Link, wrapped};
 use super::guides::{Guide, anchors};
 use super::solve::{Factor, SolveError};
 use crate::mesh::Mesh;
@@ -93,19 +92,16 @@ pub fn field(
         wanted[anchor.node] += along * along * (GUIDE_WEIGHT * anchor.weight);
     }
     let mass: Vec<f64> = graph.areas.iter().map(|area| lambda * area.max(1e-14)).collect();
-    let mut triplets: Vec<Triplet<usize, usize, c64>> = Vec::with_capacity(3 * graph.links.len() + graph.len());
-    for (node, wanted) in wanted.iter().enumerate() {
-        triplets.push(Triplet::new(node, node, c64::new(mass[node] * wanted.norm().max(1e-9), 0.0)));
-    }
+    let own = |(wanted, mass): (&c64, &f64)| c64::new(mass * wanted.norm().max(1e-9), 0.0);
+    let mut diagonal: Vec<c64> = wanted.iter().zip(&mass).map(own).collect();
     for link in &graph.links {
-        let (a, b) = (link.a as usize, link.b as usize);
-        triplets.push(Triplet::new(a, a, c64::new(link.weight, 0.0)));
-        triplets.push(Triplet::new(b, b, c64::new(link.weight, 0.0)));
-        // Row b, column a: z_b is compared with z_a carried over.
-        let turn = c64::new(link.turn.x, link.turn.y);
-        triplets.push(Triplet::new(b, a, -(turn * turn * link.weight)));
+        diagonal[link.a as usize] += link.weight;
+        diagonal[link.b as usize] += link.weight;
     }
-    let z = Factor::new(graph.len(), &triplets)?.solve(|node| wanted[node] * mass[node]);
+    // z_b is compared with z_a carried over.
+    let turn = |link: &Link| c64::new(link.turn.x, link.turn.y);
+    let off: Vec<c64> = graph.links.iter().map(|link| -(turn(link) * turn(link) * link.weight)).collect();
+    let z = Factor::of_links(graph, &diagonal, &off)?.solve(|node| wanted[node] * mass[node]);
     Ok(Field {
         angles_rad: z.iter().map(|z| z.arg() / 2.0).collect(),
         strengths: z.iter().map(|z| z.norm().min(1.0)).collect(),

@@ -4,11 +4,13 @@
 //! show in it; hard edges separate it.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::OnceLock;
 
 use faer::c64;
 use glam::{DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
+use super::solve::{Pattern, SolveError};
 use crate::mesh::Mesh;
 use crate::stage::Held;
 
@@ -32,6 +34,7 @@ pub struct Graph {
     pub node_of_vertex: Vec<u32>,
     starts: Vec<u32>,
     ends: Vec<End>,
+    pattern: OnceLock<Pattern>,
 }
 
 /// Two nodes of a triangle.
@@ -157,6 +160,15 @@ impl Graph {
     pub fn mean_link(&self) -> f64 {
         let length = |link: &Link| self.positions[link.a as usize].distance(self.positions[link.b as usize]);
         self.links.iter().map(length).sum::<f64>() / self.links.len().max(1) as f64
+    }
+
+    /// How systems on this graph are solved.
+    pub(super) fn pattern(&self) -> Result<&Pattern, SolveError> {
+        if let Some(known) = self.pattern.get() {
+            return Ok(known);
+        }
+        let pattern = Pattern::new(self)?;
+        Ok(self.pattern.get_or_init(|| pattern))
     }
 
     fn measure(&mut self) {

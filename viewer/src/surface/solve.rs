@@ -1,7 +1,8 @@
 //! Sparse symmetric systems on a graph, solved by faer.
 
 use faer::prelude::Solve;
-use faer::sparse::{SparseColMat, SymbolicSparseColMat, Triplet};
+use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat, Triplet};
 use faer::traits::ComplexField;
 use faer::{Col, Side};
 
@@ -9,7 +10,7 @@ use super::graph::Graph;
 
 /// A factorised Hermitian positive definite matrix.
 pub(crate) struct Factor<T> {
-    llt: faer::sparse::linalg::solvers::Llt<usize, T>,
+    llt: Llt<usize, T>,
     size: usize,
 }
 
@@ -37,50 +38,51 @@ impl<T: ComplexField> Factor<T> {
     }
 }
 
-impl Factor<f64> {
-    /// Factorises a matrix with one row per node: its diagonal, and an entry for each link.
-    pub(crate) fn of_links(graph: &Graph, diagonal: &[f64], off: &[f64]) -> Result<Self, SolveError> {
-        let mut lower = LowerColumns::new(graph.len(), graph.links.len());
+/// Where matrices with one row per node have entries, on their diagonals and for each link; and in which order their
+/// unknowns are best eliminated. Found once for all of a graph.
+#[derive(Clone, Debug)]
+pub(crate) struct Pattern {
+    places: SymbolicSparseColMat<usize>,
+    order: SymbolicLlt<usize>,
+}
+
+impl Pattern {
+    pub(super) fn new(graph: &Graph) -> Result<Self, SolveError> {
+        let size = graph.len();
+        let mut starts = Vec::with_capacity(size + 1);
+        let mut rows = Vec::with_capacity(size + graph.links.len());
+        let mut links = graph.links.iter().peekable();
+        starts.push(0);
+        // The lower triangle, column by column, rows increasing; links are sorted so.
+        for node in 0..size {
+            rows.push(node);
+            while let Some(link) = links.next_if(|link| link.a as usize == node) {
+                rows.push(link.b as usize);
+            }
+            starts.push(rows.len());
+        }
+        let places = SymbolicSparseColMat::new_checked(size, size, starts, None, rows);
+        let order = SymbolicLlt::try_new(places.as_ref(), Side::Lower).map_err(|_| SolveError { size })?;
+        Ok(Self { places, order })
+    }
+}
+
+impl<T: ComplexField> Factor<T> {
+    /// Factorises a matrix with one row per node, Hermitian: its diagonal, and for each link the entry in the row of its
+    /// second node and the column of its first.
+    pub(crate) fn of_links(graph: &Graph, diagonal: &[T], off: &[T]) -> Result<Self, SolveError> {
+        let size = graph.len();
+        let Pattern { places, order } = graph.pattern()?;
+        let mut entries = Vec::with_capacity(diagonal.len() + off.len());
         let mut links = graph.links.iter().zip(off).peekable();
         for (node, own) in diagonal.iter().enumerate() {
-            lower.push(node, *own);
-            while let Some((link, entry)) = links.next_if(|(link, _)| link.a as usize == node) {
-                lower.push(link.b as usize, *entry);
+            entries.push(own.clone());
+            while let Some((_, entry)) = links.next_if(|(link, _)| link.a as usize == node) {
+                entries.push(entry.clone());
             }
-            lower.end_column();
         }
-        lower.factorised()
-    }
-}
-
-/// The lower triangle of a matrix, column by column, rows increasing; links are sorted so.
-struct LowerColumns {
-    starts: Vec<usize>,
-    rows: Vec<usize>,
-    entries: Vec<f64>,
-}
-
-impl LowerColumns {
-    fn new(size: usize, off_diagonal: usize) -> Self {
-        let mut starts = Vec::with_capacity(size + 1);
-        starts.push(0);
-        let count = size + off_diagonal;
-        Self { starts, rows: Vec::with_capacity(count), entries: Vec::with_capacity(count) }
-    }
-
-    fn push(&mut self, row: usize, entry: f64) {
-        self.rows.push(row);
-        self.entries.push(entry);
-    }
-
-    fn end_column(&mut self) {
-        self.starts.push(self.rows.len());
-    }
-
-    fn factorised(self) -> Result<Factor<f64>, SolveError> {
-        let size = self.starts.len() - 1;
-        let pattern = SymbolicSparseColMat::new_checked(size, size, self.starts, None, self.rows);
-        let llt = SparseColMat::new(pattern, self.entries).sp_cholesky(Side::Lower).map_err(|_| SolveError { size })?;
-        Ok(Factor { llt, size })
+        let matrix = SparseColMatRef::new(places.as_ref(), &entries);
+        let llt = Llt::try_new_with_symbolic(order.clone(), matrix, Side::Lower).map_err(|_| SolveError { size })?;
+        Ok(Self { llt, size })
     }
 }

@@ -85,6 +85,8 @@ pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<
         return Err(StripeError::LinesPerUnit(options.lines_per_unit));
     }
     let loops = loops(graph);
+    // Both fields need it.
+    graph.pattern()?;
     let along: Vec<c64> = field.angles_rad.par_iter().map(|angle| c64::from_polar(1.0, *angle)).collect();
     let (along, across) = rayon::join(
         || lines(graph, &loops, &along, options),
