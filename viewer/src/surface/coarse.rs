@@ -357,6 +357,17 @@ mod tests {
                 coarse: Some(&coarse),
             };
             let made = patches_on(&ground, &graph, &carried, &options);
+            if sample == Sample::Hand {
+                // The same for any number of threads.
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+                let (field, patches) = pool.install(|| {
+                    let coarse = Coarse::new(&graph, coarse.radius).expect("clusters");
+                    let field = coarse.field(&graph, &of_clusters);
+                    let ground = Ground { coarse: Some(&coarse), curvatures: ground.curvatures.clone(), ..ground };
+                    (field, patches_on(&ground, &graph, &carried, &options))
+                });
+                assert!(field == carried && patches == made);
+            }
             let [seeds, expected] = [&made, &direct].map(|patches| patches.seeds.len() as f64);
             assert!((seeds / expected - 1.0).abs() < 0.15, "{}: {seeds} patches for {expected}", sample.name());
             let alone = |patches: &Patches| patches.entries.iter().filter(|entry| entry.seed == u32::MAX).count();
