@@ -72,7 +72,8 @@ impl Window {
             let app = self.harness.state();
             still = if app.results().picture.is_some() && rests(app) { still + 1 } else { 0 };
             if still == 0 {
-                std::thread::sleep(Duration::from_millis(5));
+                // What works beside the window needs the processor more than a window that waits.
+                std::thread::sleep(Duration::from_millis(30));
             }
         }
     }

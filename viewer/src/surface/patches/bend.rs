@@ -18,6 +18,8 @@ const GREATEST: f64 = 0.7;
 pub(super) struct Bend {
     /// The axis, as an angle of the seed's frame.
     pub(super) angle_rad: f64,
+    /// Turns places of the seed's frame back by that angle.
+    back: DVec2,
     /// Change of the direction per unit along and across, in radians.
     pub(super) rates: DVec2,
 }
@@ -34,9 +36,9 @@ impl Bend {
         spacing: f64,
         options: &PatchOptions,
     ) -> Self {
-        let straight = Self { angle_rad: 0.0, rates: DVec2::ZERO };
+        let straight = |angle_rad: f64| Self { angle_rad, back: DVec2::from_angle(-angle_rad), rates: DVec2::ZERO };
         if options.follow == Follow::Light {
-            return straight;
+            return straight(0.0);
         }
         // The cell of the seed counts, where the patch is drawn alone; areas, so that dense places do not count more.
         let weight = |visit: &Visit| {
@@ -46,18 +48,17 @@ impl Bend {
         let doubled = |visit: &Visit| doubled[visit.node as usize] * visit.turn * visit.turn;
         let sum: c64 = visits.iter().map(|visit| doubled(visit) * weight(visit)).sum();
         if sum.norm() == 0.0 {
-            let angle_rad = visits.first().map_or(0.0, |seed| field.angles_rad[seed.node as usize]);
-            return Self { angle_rad, ..straight };
+            return straight(visits.first().map_or(0.0, |seed| field.angles_rad[seed.node as usize]));
         }
         let angle_rad = sum.arg() / 2.0;
+        let straight = straight(angle_rad);
         if !options.bent {
-            return Self { angle_rad, ..straight };
+            return straight;
         }
-        let turned = DVec2::from_angle(-angle_rad);
         let back = c64::from_polar(1.0, -2.0 * angle_rad);
         let (mut ata, mut atb) = (DMat2::ZERO, DVec2::ZERO);
         for visit in visits {
-            let place = turned.rotate(visit.place);
+            let place = straight.back.rotate(visit.place);
             let weight = weight(visit);
             if weight == 0.0 {
                 continue;
@@ -71,14 +72,14 @@ impl Bend {
         let ata = ata + DMat2::from_diagonal(DVec2::splat(floor));
         let rates = if ata.determinant() > 0.0 { ata.inverse() * atb } else { DVec2::ZERO };
         let limit = GREATEST / spacing.max(1e-12);
-        Self { angle_rad, rates: rates.clamp(DVec2::splat(-limit), DVec2::splat(limit)) }
+        Self { rates: rates.clamp(DVec2::splat(-limit), DVec2::splat(limit)), ..straight }
     }
 
     /// The place (s, t) of a place of the patch: strokes run along s.
     ///
     /// `t = b·exp(-κt·s) - ½κs·s²` has the wanted slope at t = 0 and never folds.
     pub(super) fn place(&self, place: DVec2) -> DVec2 {
-        let place = DVec2::from_angle(-self.angle_rad).rotate(place);
+        let place = self.back.rotate(place);
         let across = (-self.rates.y * place.x).clamp(-1.0, 1.0).exp();
         DVec2::new(place.x, place.y * across - 0.5 * self.rates.x * place.x * place.x)
     }
