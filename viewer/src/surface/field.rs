@@ -99,8 +99,8 @@ pub fn field(
         diagonal[link.b as usize] += link.weight;
     }
     // z_b is compared with z_a carried over.
-    let turn = |link: &Link| c64::new(link.turn.x, link.turn.y);
-    let off: Vec<c64> = graph.links.iter().map(|link| -(turn(link) * turn(link) * link.weight)).collect();
+    let off = |link: &Link| -(link.carry() * link.carry() * link.weight);
+    let off: Vec<c64> = graph.links.iter().map(off).collect();
     let z = Factor::of_links(graph, &diagonal, &off)?.solve(|node| wanted[node] * mass[node]);
     Ok(Field {
         angles_rad: z.iter().map(|z| z.arg() / 2.0).collect(),

@@ -51,6 +51,13 @@ pub struct Link {
     pub turn: DVec2,
 }
 
+impl Link {
+    /// Its turn, to calculate with.
+    pub(crate) fn carry(&self) -> c64 {
+        c64::new(self.turn.x, self.turn.y)
+    }
+}
+
 /// A link as seen from one of its nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
@@ -146,7 +153,7 @@ impl Graph {
     /// Times a direction in the frame of `from`, it gives the same direction at the link's other end.
     pub(crate) fn turn_from(&self, link: u32, from: u32) -> c64 {
         let link = &self.links[link as usize];
-        c64::new(link.turn.x, if from == link.a { link.turn.y } else { -link.turn.y })
+        if from == link.a { link.carry() } else { link.carry().conj() }
     }
 
     /// Length of the diagonal of the bounding box.

@@ -59,7 +59,7 @@ pub(super) fn growths(graph: &Graph, along: &[c64]) -> Vec<Growth> {
             let chord = graph.positions[b] - graph.positions[a];
             let length = chord.length();
             let across = |node: usize| length * (graph.flat(node, chord) * along[node].conj()).im;
-            let carried = along[a] * c64::new(link.turn.x, link.turn.y);
+            let carried = along[a] * link.carry();
             let sign = if (along[b] * carried.conj()).re < 0.0 { -1.0 } else { 1.0 };
             Growth { sign, at_a: across(a), at_b: sign * across(b) }
         })
