@@ -6,6 +6,8 @@ use bytemuck::{Pod, Zeroable};
 pub const MAX_LIGHTS: usize = 8;
 /// Columns of a map, at most, without the implicit white.
 pub const MAX_COLUMNS: usize = 64;
+/// Mark of a face without area: no normal has this code.
+pub const NO_NORMAL: u32 = 0x8000_8000;
 /// Mark of a missing neighbour.
 pub const NO_FACE: u32 = u32::MAX;
 
@@ -85,8 +87,8 @@ pub struct FaceFrame {
     pub bitangent_yz: [f32; 2],
     /// Shares of the frame, its half turn and the fixed frame, ten bits each.
     pub shares: u32,
-    /// Fills the record.
-    pub _pad: u32,
+    /// Normal of the face, octahedral, or [`NO_NORMAL`] where it has no area.
+    pub normal_oct: u32,
 }
 
 /// `Material` of `lib/material.wgsl`.

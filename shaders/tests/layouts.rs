@@ -70,7 +70,7 @@ fn records() -> Vec<Record> {
             lights,
         }),
         record!(Vertex { position, normal_oct }),
-        record!(FaceFrame { tangent, bitangent_x, bitangent_yz, shares, _pad }),
+        record!(FaceFrame { tangent, bitangent_x, bitangent_yz, shares, normal_oct }),
         record!(Material {
             colour,
             ambient,

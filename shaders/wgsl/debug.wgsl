@@ -151,7 +151,7 @@ fn fragment(
     @builtin(position) place_px: vec4f,
     @builtin(front_facing) front: bool,
 ) -> @location(0) vec4f {
-    let point = surface_point(in, front);
+    let point = patched_point(in, patched, front);
     let p = frame_place(point.p_world);
     let dx = dpdx(p);
     let dy = dpdy(p);

@@ -1,5 +1,6 @@
 // Light-aligned frames per face, blended with the neighbours'. Suarez and others, "GPU real time hatching", 2013,
-// algorithms 1 to 3. The frames come from face_frames.wgsl; each fragment fetches its face's and the neighbours'.
+// algorithms 1 to 3. The frames come from face_frames.wgsl; each fragment fetches its face's and the neighbours'. Draws the
+// literal form, and is kept to be measured against face_frame_vertex.wgsl.
 //!include lib/surface.wgsl
 //!include lib/adjacency.wgsl
 
@@ -18,7 +19,8 @@ fn lit_normal(face: u32, front: bool) -> vec3f {
 }
 
 fn face_ink(point: Point, p: vec3f, face: u32, front: bool, level: f32) -> f32 {
-    let patterns = frame_patterns(p, face_normals[face].xyz, face_frames[face]);
+    let frame = face_frames[face];
+    let patterns = frame_patterns(p, frame_st(frame, p), face_normals[face].xyz, unpack_shares(frame.shares));
     return contributed_ink(point, lit_normal(face, front), patterns, level);
 }
 

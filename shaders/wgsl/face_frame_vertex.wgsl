@@ -1,6 +1,6 @@
 // Light-aligned frames per face with the work in the vertex stage, as the paper's geometry stage does it: three
 // vertices per face, each with its own parameters for the four faces. Suarez and others, "GPU real time hatching",
-// 2013, algorithms 1 to 3. Kept to be measured against face_frame.wgsl.
+// 2013, algorithms 1 to 3. No fragment reads any buffer.
 //!include lib/surface.wgsl
 //!include lib/adjacency.wgsl
 
@@ -18,12 +18,16 @@ struct HatchOut {
     @location(3) st_cd: vec4f,
     // Contributions of the neighbours, before they are clamped.
     @location(4) contributions: vec3f,
+    // Normals of the four faces and shares of their frames, as FaceFrame has them.
     @location(5) @interpolate(flat, either) normals_oct: vec4u,
+    @location(6) @interpolate(flat, either) shares: vec4u,
 }
 
+// A point in the frame of a face.
 struct Hatch {
     st: vec2f,
-    normal: vec4f,
+    normal_oct: u32,
+    shares: u32,
 }
 
 fn corner_world(index: u32) -> vec3f {
@@ -33,8 +37,7 @@ fn corner_world(index: u32) -> vec3f {
 fn hatch(face: u32, p: vec3f) -> Hatch {
     if FRAMES == FRAMES_FETCHED {
         let frame = face_frames[face];
-        let bitangent = vec3f(frame.bitangent_x, frame.bitangent_yz);
-        return Hatch(vec2f(dot(p, frame.tangent), dot(p, bitangent)), face_normals[face]);
+        return Hatch(frame_st(frame, p), frame.normal_oct, frame.shares);
     }
     let a = corner_world(indices[3u * face]);
     let b = corner_world(indices[3u * face + 1u]);
@@ -42,8 +45,8 @@ fn hatch(face: u32, p: vec3f) -> Hatch {
     let area = cross(b - a, c - a);
     let n = area * inverseSqrt(max(dot(area, area), 1e-36));
     let frame = frame_hardened(n, (a + b + c) / 3.0);
-    let valid = select(0.0, 1.0, dot(area, area) > 1e-36);
-    return Hatch(vec2f(dot(p, frame.tangent), dot(p, frame.bitangent)), vec4f(n, valid));
+    let normal_oct = select(NO_NORMAL, oct_encode(n), dot(area, area) > 1e-36);
+    return Hatch(vec2f(dot(p, frame.tangent), dot(p, frame.bitangent)), normal_oct, pack_shares(frame.shares));
 }
 
 @vertex
@@ -57,6 +60,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> HatchOut {
     out.p_world = p.xyz;
     out.normal = (scene.world_from_mesh_normal * vec4f(oct_decode(vertex.normal_oct), 0.0)).xyz;
     let own = hatch(face, p.xyz);
+    let n = oct_decode(own.normal_oct);
     var st: array<vec2f, 3>;
     for (var k = 0u; k < 3u; k++) {
         let other = neighbours[3u * face + k];
@@ -65,22 +69,25 @@ fn vertex(@builtin(vertex_index) index: u32) -> HatchOut {
         if other != NO_FACE {
             let theirs = hatch(other, p.xyz);
             st[k] = theirs.st;
-            out.normals_oct[k + 1u] = oct_encode(theirs.normal.xyz);
-            if corner != (k + 2u) % 3u {
-                out.contributions[k] = select(-1.0, dot(own.normal.xyz, theirs.normal.xyz), theirs.normal.w > 0.0);
+            out.normals_oct[k + 1u] = theirs.normal_oct;
+            out.shares[k + 1u] = theirs.shares;
+            if corner != (k + 2u) % 3u && own.normal_oct != NO_NORMAL && theirs.normal_oct != NO_NORMAL {
+                out.contributions[k] = dot(n, oct_decode(theirs.normal_oct));
             }
         }
     }
-    out.normals_oct[0] = oct_encode(own.normal.xyz);
+    out.normals_oct[0] = own.normal_oct;
+    out.shares[0] = own.shares;
     out.st_ab = vec4f(own.st, st[0]);
     out.st_cd = vec4f(st[1], st[2]);
     return out;
 }
 
-fn hatch_ink(point: Point, normal_oct: u32, st: vec2f, level: f32, front: bool) -> f32 {
-    let n = oct_decode(normal_oct);
-    let d = darkness(reflectance(), point.p_world, select(-n, n, front), point.view);
-    return column_ink(tile_uv(st), level, column_coordinate(d));
+// Ink of one face of the four.
+fn hatch_ink(point: Point, hatch: Hatch, level: f32, front: bool) -> f32 {
+    let n = oct_decode(hatch.normal_oct);
+    let patterns = frame_patterns(point.p_world, hatch.st, n, unpack_shares(hatch.shares));
+    return contributed_ink(point, select(-n, n, front), patterns, level);
 }
 
 @fragment
@@ -92,19 +99,19 @@ fn fragment(in: HatchOut, @builtin(front_facing) front: bool) -> @location(0) ve
     point.view = normalize(towards);
     point.depth = -dot(towards, scene.camera_forward);
     let level = map_level(footprint(point));
-    var sum = hatch_ink(point, in.normals_oct.x, in.st_ab.xy, level, front);
+    var sum = hatch_ink(point, Hatch(in.st_ab.xy, in.normals_oct.x, in.shares.x), level, front);
     var weight = 1.0;
     let f = max(in.contributions, vec3f(0.0));
     if f.x > 0.0 {
-        sum += f.x * hatch_ink(point, in.normals_oct.y, in.st_ab.zw, level, front);
+        sum += f.x * hatch_ink(point, Hatch(in.st_ab.zw, in.normals_oct.y, in.shares.y), level, front);
         weight += f.x;
     }
     if f.y > 0.0 {
-        sum += f.y * hatch_ink(point, in.normals_oct.z, in.st_cd.xy, level, front);
+        sum += f.y * hatch_ink(point, Hatch(in.st_cd.xy, in.normals_oct.z, in.shares.z), level, front);
         weight += f.y;
     }
     if f.z > 0.0 {
-        sum += f.z * hatch_ink(point, in.normals_oct.w, in.st_cd.zw, level, front);
+        sum += f.z * hatch_ink(point, Hatch(in.st_cd.zw, in.normals_oct.w, in.shares.w), level, front);
         weight += f.z;
     }
     return drawn(sum / weight);

@@ -5,6 +5,7 @@
 //!include lib/mesh_types.wgsl
 //!include lib/corners.wgsl
 //!include lib/face_frame.wgsl
+//!include lib/octahedral.wgsl
 
 @group(1) @binding(3) var<storage, read_write> face_normals: array<vec4f>;
 @group(1) @binding(5) var<storage, read_write> face_frames: array<FaceFrame>;
@@ -16,6 +17,9 @@ fn main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) group
         return;
     }
     let corners = face_corners(face);
-    let frame = light_frame(face_normals[face].xyz, (corners[0] + corners[1] + corners[2]) / 3.0);
-    face_frames[face] = FaceFrame(frame.tangent, frame.bitangent.x, frame.bitangent.yz, pack_shares(frame.shares), 0u);
+    let normal = face_normals[face];
+    let frame = light_frame(normal.xyz, (corners[0] + corners[1] + corners[2]) / 3.0);
+    let normal_oct = select(NO_NORMAL, oct_encode(normal.xyz), normal.w > 0.0);
+    face_frames[face] =
+        FaceFrame(frame.tangent, frame.bitangent.x, frame.bitangent.yz, pack_shares(frame.shares), normal_oct);
 }

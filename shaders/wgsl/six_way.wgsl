@@ -89,7 +89,7 @@ fn fragment(
     patched: PatchedIn,
     @builtin(front_facing) front: bool,
 ) -> @location(0) vec4f {
-    let point = surface_point(in, front);
+    let point = patched_point(in, patched, front);
     // Interpolation rounds a little below 0.
     let weights = Weights(max(six.light, vec3f(0.0)), max(six.dark, vec3f(0.0)));
     if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {

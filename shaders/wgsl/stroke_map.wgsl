@@ -43,7 +43,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
 
 @fragment
 fn fragment(in: FragmentIn, patched: PatchedIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
-    let point = surface_point(in, front);
+    let point = patched_point(in, patched, front);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
     return drawn(surface_ink(point, overlap_of(patched), d));
 }

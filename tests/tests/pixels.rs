@@ -44,7 +44,7 @@ fn drawn(params: &RenderParams, inspect: &Inspect, map: &GpuMap) -> Drawn {
     }
     match params.method {
         Method::Phong => columns(Pass::Phong),
-        Method::FaceFrame if params.face_frame == FaceFrameForm::Fetched => columns(Pass::FaceFrame),
+        Method::FaceFrame if params.frames_made() == FaceFrameForm::Fetched => columns(Pass::FaceFrame),
         Method::FaceFrame => columns(Pass::FaceFrameVertex),
         Method::Halftone => columns(Pass::StrokeMap),
         Method::Stripes => columns(Pass::Stripes),
@@ -227,8 +227,10 @@ fn ways(mesh: &Mesh) -> Vec<RenderParams> {
                 Method::Stripes => ways.extend([0.0, 0.7].map(|variety| RenderParams { variety, ..base })),
                 Method::FaceFrame => {
                     ways.push(base);
-                    ways.push(RenderParams { face_frame: FaceFrameForm::Vertex, ..base });
-                    ways.push(RenderParams { face_frame: FaceFrameForm::VertexFetched, ..base });
+                    if form == Form::Hardened {
+                        ways.push(RenderParams { face_frame: FaceFrameForm::Vertex, ..base });
+                        ways.push(RenderParams { face_frame: FaceFrameForm::Fetched, ..base });
+                    }
                 }
                 _ => ways.extend(mappings(mesh).into_iter().map(|mapping| RenderParams { mapping, ..base })),
             }

@@ -135,12 +135,12 @@ pub enum Follow {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FaceFrameForm {
-    /// By a compute pass when light or mesh change, and fetched by each fragment.
-    #[default]
+    /// By a compute pass when light or mesh change, and fetched by each fragment; the literal form is always drawn so.
     Fetched,
     /// By the vertex stage, three vertices a face, four frames each, as in the paper's geometry stage.
     Vertex,
     /// By a compute pass, and fetched by the vertex stage.
+    #[default]
     VertexFetched,
 }
 
@@ -285,6 +285,11 @@ impl RenderParams {
         }
     }
 
+    /// Where the frames of `face-frame` are made: the literal form has its fragments fetch them.
+    pub fn frames_made(&self) -> FaceFrameForm {
+        if self.form == Form::Literal { FaceFrameForm::Fetched } else { self.face_frame }
+    }
+
     /// The mapping whose patches a frame needs: that of its strokes, also where these make up stripes.
     pub fn needed_mapping(&self) -> Option<Mapping> {
         match self.method {
@@ -302,7 +307,7 @@ impl Default for RenderParams {
             form: Form::Hardened,
             blend: Blend::Union,
             follow: Follow::Surface,
-            face_frame: FaceFrameForm::Fetched,
+            face_frame: FaceFrameForm::default(),
             tiles_per_unit: 1.5,
             level_bias: 0.0,
             slope: 6.0,
@@ -342,13 +347,13 @@ mod tests {
     fn stored_parameters_come_back_and_lacking_ones_are_as_by_default() {
         let params = RenderParams {
             method: Method::FaceFrame,
-            face_frame: FaceFrameForm::VertexFetched,
+            face_frame: FaceFrameForm::Vertex,
             follow: Follow::Light,
             cross_from: None,
             ..RenderParams::default()
         };
         let text = serde_json::to_string(&params).expect("they are numbers and names");
-        assert!(text.contains(r#""face_frame":"vertex-fetched""#), "{text}");
+        assert!(text.contains(r#""face_frame":"vertex""#), "{text}");
         assert_eq!(serde_json::from_str::<RenderParams>(&text).expect("what was written"), params);
         let lacking: RenderParams =
             serde_json::from_str(r#"{"form":"literal","silhouettes":{"width_px":3.0}}"#).expect("some of it");

@@ -13,9 +13,9 @@ use super::lib::light::darkness;
 use super::lib::mapping::{footprint, frame_place, map_uv};
 use super::lib::material::{Material, column_tone, reflectance};
 use super::lib::mesh_types::NO_FACE;
-use super::lib::patched::overlap_of;
+use super::lib::patched::{overlap_of, patched_point};
 use super::lib::strokes::lot;
-use super::lib::surface::{FragmentIn, Point, surface_point};
+use super::lib::surface::{FragmentIn, Point};
 use super::{Bindings, DebugView, Mapping, Quad};
 
 /// Width of isolines.
@@ -147,7 +147,7 @@ pub fn form_shade(point: &Point) -> f64 {
 
 /// Colour of one fragment of a quad, linear light; `place_px` is its middle on the screen.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2, lane: usize, front: bool) -> DVec4 {
-    let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
+    let points = quad.map(|input| patched_point(b.scene, b.material, input, front));
     let point = &points[lane];
     let p = quad.map(|input| frame_place(b.options.form, b.scene, input.p_world));
     let (dx, dy) = (p.dpdx(lane), p.dpdy(lane));

@@ -5,7 +5,8 @@ use glam::{DVec3, DVec4};
 
 use super::lib::adjacency::{contributed_ink, contribution};
 use super::lib::columns::map_level;
-use super::lib::mapping::{footprint, frame_patterns, frame_place};
+use super::lib::face_frame::unpack_shares;
+use super::lib::mapping::{footprint, frame_patterns, frame_place, frame_st};
 use super::lib::mesh_types::NO_FACE;
 use super::lib::surface::{FragmentIn, Point, drawn, surface_point};
 use super::{Bindings, Form};
@@ -22,7 +23,8 @@ pub fn lit_normal(b: &Bindings<'_>, face: usize, front: bool) -> DVec3 {
 /// Ink of one face of the four at the place `p` in the space of the frames.
 pub fn face_ink(b: &Bindings<'_>, point: &Point, p: DVec3, face: usize, front: bool, level: f64) -> f64 {
     let n = b.mesh.face_normals[face].truncate();
-    let patterns = frame_patterns(b.material, p, n, &b.mesh.face_frames[face]);
+    let frame = &b.mesh.face_frames[face];
+    let patterns = frame_patterns(b.material, p, frame_st(frame, p), n, unpack_shares(frame.shares));
     contributed_ink(b, point, lit_normal(b, face, front), &patterns, level)
 }
 

@@ -4,12 +4,11 @@
 use glam::{DVec2, DVec3, DVec4};
 
 use super::builtin::inverse_sqrt;
-use super::lib::columns::{column_coordinate, column_ink, map_level};
-use super::lib::face_frame::frame_hardened;
-use super::lib::light::darkness;
-use super::lib::mapping::footprint;
-use super::lib::material::{reflectance, tile_uv};
-use super::lib::mesh_types::NO_FACE;
+use super::lib::adjacency::contributed_ink;
+use super::lib::columns::map_level;
+use super::lib::face_frame::{frame_hardened, pack_shares, unpack_shares};
+use super::lib::mapping::{footprint, frame_patterns, frame_st};
+use super::lib::mesh_types::{NO_FACE, NO_NORMAL};
 use super::lib::octahedral::{oct_decode, oct_encode};
 use super::lib::surface::{Point, drawn};
 use super::{Bindings, Frames};
@@ -27,8 +26,10 @@ pub struct HatchOut {
     pub st: [DVec2; 4],
     /// Contributions of the neighbours, before they are clamped.
     pub contributions: [f64; 3],
-    /// Normals of the four faces; the same at all corners, and not interpolated.
+    /// Normals of the four faces, as `FaceFrame` has them; the same at all corners, and not interpolated.
     pub normals_oct: [u32; 4],
+    /// Shares of their frames, likewise.
+    pub shares: [u32; 4],
 }
 
 /// A point in the frame of a face.
@@ -36,8 +37,10 @@ pub struct HatchOut {
 pub struct Hatch {
     /// Along the tangent and along the bitangent.
     pub st: DVec2,
-    /// Normal of the face; w is 0 where it has no area.
-    pub normal: DVec4,
+    /// Normal of the face, or [`NO_NORMAL`] where it has no area.
+    pub normal_oct: u32,
+    /// Shares of the frame.
+    pub shares: u32,
 }
 
 /// Place of a vertex in the world.
@@ -49,17 +52,17 @@ pub fn corner_world(b: &Bindings<'_>, index: u32) -> DVec3 {
 pub fn hatch(b: &Bindings<'_>, face: usize, p: DVec3) -> Hatch {
     if b.options.frames == Frames::Fetched {
         let frame = &b.mesh.face_frames[face];
-        return Hatch {
-            st: DVec2::new(p.dot(frame.tangent), p.dot(frame.bitangent)),
-            normal: b.mesh.face_normals[face],
-        };
+        return Hatch { st: frame_st(frame, p), normal_oct: frame.normal_oct, shares: frame.shares };
     }
     let [v0, v1, v2] = std::array::from_fn(|k| corner_world(b, b.mesh.indices[3 * face + k]));
     let area = (v1 - v0).cross(v2 - v0);
     let n = area * inverse_sqrt(area.dot(area).max(1e-36));
     let frame = frame_hardened(b.scene, n, (v0 + v1 + v2) / 3.0);
-    let valid = if area.dot(area) > 1e-36 { 1.0 } else { 0.0 };
-    Hatch { st: DVec2::new(p.dot(frame.tangent), p.dot(frame.bitangent)), normal: n.extend(valid) }
+    Hatch {
+        st: DVec2::new(p.dot(frame.tangent), p.dot(frame.bitangent)),
+        normal_oct: if area.dot(area) > 1e-36 { oct_encode(n) } else { NO_NORMAL },
+        shares: pack_shares(frame.shares),
+    }
 }
 
 /// A corner of a face on its way to the screen: three vertices per face, counted from the first face of the draw.
@@ -76,32 +79,29 @@ pub fn vertex(b: &Bindings<'_>, index: u32) -> HatchOut {
         contributions: [-1.0; 3],
         ..HatchOut::default()
     };
-    out.normals_oct[0] = oct_encode(own.normal.truncate());
-    out.st[0] = own.st;
+    (out.st[0], out.normals_oct[0], out.shares[0]) = (own.st, own.normal_oct, own.shares);
     for k in 0..3 {
         let other = b.mesh.neighbours[3 * face + k];
         if other == NO_FACE {
             continue;
         }
         let theirs = hatch(b, other as usize, p.truncate());
-        out.st[k + 1] = theirs.st;
-        out.normals_oct[k + 1] = oct_encode(theirs.normal.truncate());
-        if corner != (k + 2) % 3 && theirs.normal.w > 0.0 {
-            out.contributions[k] = own.normal.truncate().dot(theirs.normal.truncate());
+        (out.st[k + 1], out.normals_oct[k + 1], out.shares[k + 1]) = (theirs.st, theirs.normal_oct, theirs.shares);
+        if corner != (k + 2) % 3 && own.normal_oct != NO_NORMAL && theirs.normal_oct != NO_NORMAL {
+            out.contributions[k] = oct_decode(own.normal_oct).dot(oct_decode(theirs.normal_oct));
         }
     }
     out
 }
 
 /// Ink of one face of the four.
-pub fn hatch_ink(b: &Bindings<'_>, point: &Point, normal_oct: u32, st: DVec2, level: f64, front: bool) -> f64 {
-    let n = oct_decode(normal_oct);
-    let d = darkness(b.scene, reflectance(b.material), point.p_world, if front { n } else { -n }, point.view);
-    let x = column_coordinate(b.options.form, b.material, d);
-    column_ink(b.material, b.map, tile_uv(b.material, st), level, x)
+pub fn hatch_ink(b: &Bindings<'_>, point: &Point, hatch: &Hatch, level: f64, front: bool) -> f64 {
+    let n = oct_decode(hatch.normal_oct);
+    let patterns = frame_patterns(b.material, point.p_world, hatch.st, n, unpack_shares(hatch.shares));
+    contributed_ink(b, point, if front { n } else { -n }, &patterns, level)
 }
 
-/// Colour of a fragment, linear light; all but `normals_oct` interpolated.
+/// Colour of a fragment, linear light; all but normals and shares interpolated.
 pub fn fragment(b: &Bindings<'_>, input: &HatchOut, front: bool) -> DVec4 {
     let to_camera = b.scene.to_camera(input.p_world);
     let point = Point {
@@ -111,14 +111,16 @@ pub fn fragment(b: &Bindings<'_>, input: &HatchOut, front: bool) -> DVec4 {
         depth: -to_camera.dot(b.scene.camera_forward),
         uv: DVec2::ZERO,
         face: 0,
+        framing: [0; 2],
     };
+    let hatch = |i: usize| Hatch { st: input.st[i], normal_oct: input.normals_oct[i], shares: input.shares[i] };
     let level = map_level(b.material, footprint(b.options.form, b.scene, b.material, &point));
-    let mut sum = hatch_ink(b, &point, input.normals_oct[0], input.st[0], level, front);
+    let mut sum = hatch_ink(b, &point, &hatch(0), level, front);
     let mut weight = 1.0;
     for k in 0..3 {
         let f = input.contributions[k].max(0.0);
         if f > 0.0 {
-            sum += f * hatch_ink(b, &point, input.normals_oct[k + 1], input.st[k + 1], level, front);
+            sum += f * hatch_ink(b, &point, &hatch(k + 1), level, front);
             weight += f;
         }
     }

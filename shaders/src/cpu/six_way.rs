@@ -8,9 +8,9 @@ use super::lib::columns::{column_coordinate, map_level};
 use super::lib::light::darkness;
 use super::lib::mapping::{map_surface, pattern_count};
 use super::lib::material::{Material, column_tone, reflectance};
-use super::lib::patched::{overlap_of, patched_vertex};
+use super::lib::patched::{overlap_of, patched_point, patched_vertex};
 use super::lib::patches::Overlap;
-use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point};
+use super::lib::surface::{FragmentIn, VertexOut, drawn};
 use super::{Bindings, MapImage, Mapping, Quad};
 
 /// Weights of the six columns; white has what is missing to 1.
@@ -58,7 +58,7 @@ pub fn pattern_ink(b: &Bindings<'_>, uv: DVec2, tiles_per_px: f64, d: f64) -> f6
 
 /// Colour of one fragment of a quad, linear light; `weights` are interpolated.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, lane: usize, front: bool) -> DVec4 {
-    let points = quad.map(|input| surface_point(b.scene, b.material, input, front));
+    let points = quad.map(|input| patched_point(b.scene, b.material, input, front));
     if matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
         let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
         let ink = surface_ink(

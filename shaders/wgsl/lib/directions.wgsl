@@ -24,15 +24,14 @@ fn pattern_direction(st_dx: vec2f, st_dy: vec2f) -> vec2f {
     return direction_across(vec2f(dot(v, st_dx), dot(v, st_dy)));
 }
 
-// `dx` and `dy` are changes of the place in the space of the frames. A frame and its half turn have one direction.
-fn frame_direction(n: vec3f, frame: FaceFrame, dx: vec3f, dy: vec3f) -> vec2f {
-    let t = frame.tangent;
-    let b = vec3f(frame.bitangent_x, frame.bitangent_yz);
+// `framing` is that of the point, `st_dx` and `st_dy` are changes of the place in the frame, `dx` and `dy` in the space of
+// the frames. A frame and its half turn have one direction.
+fn frame_direction(framing: vec2u, st_dx: vec2f, st_dy: vec2f, dx: vec3f, dy: vec3f) -> vec2f {
+    let n = oct_decode(framing.y);
     let e = fixed_tangent(n);
     let f = cross(n, e);
-    let fixed = unpack_shares(frame.shares).z;
-    let direction = pattern_direction(vec2f(dot(t, dx), dot(b, dx)), vec2f(dot(t, dy), dot(b, dy)));
-    return mix(direction, pattern_direction(vec2f(dot(e, dx), dot(f, dx)), vec2f(dot(e, dy), dot(f, dy))), fixed);
+    let fixed = unpack_shares(framing.x).z;
+    return mix(pattern_direction(st_dx, st_dy), pattern_direction(vec2f(dot(e, dx), dot(f, dx)), vec2f(dot(e, dy), dot(f, dy))), fixed);
 }
 
 fn triplanar_direction(n: vec3f, dx: vec3f, dy: vec3f) -> vec2f {
@@ -97,7 +96,7 @@ fn stripes_direction(face: u32, place: Place) -> vec2f {
     return direction_across(vec2f(stripe_slope(s, place.weights, place.dx), stripe_slope(s, place.weights, place.dy)));
 }
 
-// Of the mapping; `uv_dx` and `uv_dy` are changes of the mesh's own uv.
+// Of the mapping; `uv_dx` and `uv_dy` are changes of the point's uv.
 fn mapped_direction(
     point: Point,
     place: Place,
@@ -109,7 +108,7 @@ fn mapped_direction(
     uv_dy: vec2f,
 ) -> vec2f {
     if MAPPING == MAPPING_FRAMES {
-        return frame_direction(face_normals[point.face].xyz, face_frames[point.face], dx, dy);
+        return frame_direction(point.framing, uv_dx, uv_dy, dx, dy);
     }
     if MAPPING == MAPPING_TRIPLANAR {
         return triplanar_direction(point.normal, dx, dy);

@@ -54,10 +54,13 @@ fn map_uv(point: Point) -> Mapped {
     return Mapped(Pattern(uv, 1.0), none, none, sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-fn frame_patterns(p: vec3f, n: vec3f, frame: FaceFrame) -> array<Pattern, 3> {
-    let bitangent = vec3f(frame.bitangent_x, frame.bitangent_yz);
-    let st = vec2f(dot(p, frame.tangent), dot(p, bitangent));
-    let shares = unpack_shares(frame.shares);
+// Surface coordinates of a place in the space of the frames.
+fn frame_st(frame: FaceFrame, p: vec3f) -> vec2f {
+    return vec2f(dot(p, frame.tangent), dot(p, vec3f(frame.bitangent_x, frame.bitangent_yz)));
+}
+
+// The frame of a face with this normal, its half turn, and the fixed frame, at a place p that has st in the first.
+fn frame_patterns(p: vec3f, st: vec2f, n: vec3f, shares: vec3f) -> array<Pattern, 3> {
     let e = fixed_tangent(n);
     let fixed_st = vec2f(dot(p, e), dot(p, cross(n, e)));
     return array<Pattern, 3>(
@@ -67,8 +70,10 @@ fn frame_patterns(p: vec3f, n: vec3f, frame: FaceFrame) -> array<Pattern, 3> {
     );
 }
 
+// Vertices hand on the place in the frame, in place of the mesh's uv.
 fn map_frames(point: Point) -> Mapped {
-    let patterns = frame_patterns(frame_place(point.p_world), face_normals[point.face].xyz, face_frames[point.face]);
+    let n = oct_decode(point.framing.y);
+    let patterns = frame_patterns(frame_place(point.p_world), point.uv, n, unpack_shares(point.framing.x));
     return Mapped(patterns[0], patterns[1], patterns[2], footprint(point));
 }
 

@@ -13,7 +13,10 @@ struct FaceFrame {
     bitangent_yz: vec2f,
     // Shares of the frame, of its half turn and of the fixed frame: three 10-bit unorm, low bits first.
     shares: u32,
-    _pad: u32,
+    // Normal of the face, octahedral, or NO_NORMAL where it has no area.
+    normal_oct: u32,
 }
 
+// No normal has this code.
+const NO_NORMAL: u32 = 0x80008000u;
 const NO_FACE: u32 = 0xffffffffu;

@@ -42,8 +42,11 @@ struct Point {
     view: vec3f,
     // Distance along the camera's axis.
     depth: f32,
+    // The mesh's own; in the mapping by frames the place in the frame.
     uv: vec2f,
     face: u32,
+    // There: shares and normal of the frame, as FaceFrame has them.
+    framing: vec2u,
 }
 
 // A vertex of the mesh, by its own number.

@@ -185,7 +185,8 @@ fn harness_vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
 /// A surface point of a case; see [`crate::tables::point`].
 const POINT: &str = "
 fn case_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
-    return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, u32(d.z));
+    let frame = face_frames[u32(d.z)];
+    return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, u32(d.z), vec2u(frame.shares, frame.normal_oct));
 }
 ";
 

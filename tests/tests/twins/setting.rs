@@ -11,7 +11,7 @@ use tam_shaders::cpu::lib::patches::{OVERLAPS, PatchTable, TURNS, pack_place, pa
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lib::threshold::ROWS_PER_LEVEL;
 use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
-use tam_shaders::types::{self, Edge, NO_FACE};
+use tam_shaders::types::{self, Edge, NO_FACE, NO_NORMAL};
 use wgpu::util::DeviceExt;
 
 use crate::draw::{Case, Draw};
@@ -127,7 +127,10 @@ impl Setting {
                 bitangent_x: bitangent.x,
                 bitangent_yz: [bitangent.y, bitangent.z],
                 shares,
-                _pad: 0,
+                normal_oct: match i + 4 > FACES {
+                    true => NO_NORMAL,
+                    false => tam_shaders::cpu::octahedral::oct_encode(normal.as_dvec3()),
+                },
             }
         };
         let plane = |i: usize| {

@@ -66,11 +66,10 @@ pub(crate) struct FaceData {
 impl FaceData {
     /// What the strokes of a look read.
     pub(crate) fn of(params: &RenderParams) -> Self {
-        let RenderParams { method, mapping, face_frame, .. } = *params;
+        let RenderParams { method, mapping, .. } = *params;
+        let made = params.frames_made();
         match method {
-            Method::FaceFrame => {
-                Self { planes: face_frame == FaceFrameForm::Fetched, frames: face_frame != FaceFrameForm::Vertex }
-            }
+            Method::FaceFrame => Self { planes: made == FaceFrameForm::Fetched, frames: made != FaceFrameForm::Vertex },
             Method::Stripes => Self { planes: true, frames: false },
             method if method.takes_mapping() => {
                 Self { planes: mapping == Mapping::Lapped, frames: mapping == Mapping::Frames }

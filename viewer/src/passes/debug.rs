@@ -14,9 +14,9 @@ pub(super) fn variant(view: DebugView, params: &RenderParams, mesh: &GpuMesh) ->
     let mapping = if params.method == Method::FaceFrame { Mapping::Frames } else { params.mapping };
     let follow = if turns(params, mesh) { Follow::Light } else { Follow::Surface };
     let shown = shown(view, params.method, mapping, mesh);
-    // Only directions are those of patches; all else is the same on three planes, where vertices know their faces.
+    // Only directions are those of patches and frames; all else is the same on three planes, whose vertices are the mesh's.
     let mapping = match mapping {
-        Mapping::Patches if shown != Shown::Frames => Mapping::Triplanar,
+        Mapping::Patches | Mapping::Frames if shown != Shown::Frames => Mapping::Triplanar,
         mapping => mapping,
     };
     let mut variant =

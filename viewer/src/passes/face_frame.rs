@@ -8,12 +8,11 @@ use crate::gpu::MapKind;
 use crate::params::{FaceFrameForm, RenderParams};
 
 pub(super) fn variant(params: &RenderParams) -> Variant {
-    let form = form_constant(params.form);
-    let fetched = Variant::new(Pass::FaceFrame, MapKind::Columns);
+    let fetched = Variant::new(Pass::FaceFrame, MapKind::Columns).with("FORM", form_constant(params.form));
     let vertex = Variant { unindexed: true, ..Variant::new(Pass::FaceFrameVertex, MapKind::Columns) };
-    match params.face_frame {
-        FaceFrameForm::Fetched => fetched.with("FORM", form),
-        FaceFrameForm::Vertex => vertex.with("FORM", form).with("FRAMES", 0),
-        FaceFrameForm::VertexFetched => vertex.with("FORM", form).with("FRAMES", 1),
+    match params.frames_made() {
+        FaceFrameForm::Fetched => fetched,
+        FaceFrameForm::Vertex => vertex.with("FRAMES", 0),
+        FaceFrameForm::VertexFetched => vertex.with("FRAMES", 1),
     }
 }

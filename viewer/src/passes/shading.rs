@@ -39,6 +39,7 @@ impl Variant {
     pub(crate) fn mapped(mut self, params: &RenderParams) -> Self {
         let follows = params.mapping == Mapping::Patches && params.follow == Follow::Light;
         self.on_patches = params.mapping == Mapping::Patches;
+        self.unindexed = params.mapping == Mapping::Frames;
         let this = self.with("FOLLOW", u32::from(follows));
         this.with("FORM", form_constant(params.form)).with("MAPPING", cpu::Mapping::from(params.mapping) as u32)
     }

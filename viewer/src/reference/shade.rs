@@ -55,8 +55,8 @@ impl Shader {
         }
     }
 
-    /// Whether its corners carry patches, where the mapping is by those.
-    fn draws_on_patches(self) -> bool {
+    /// Whether it draws with all mappings.
+    fn draws_mapped(self) -> bool {
         matches!(self, Self::SixWay | Self::StrokeMap | Self::FineTone | Self::Debug)
     }
 
@@ -67,12 +67,14 @@ impl Shader {
                 let hatch = face_frame_vertex::vertex(b, 3 * (face - b.material.first_face) + k as u32);
                 return Corner { clip: hatch.clip, hatch, ..Corner::default() };
             }
-            let on_patches = b.options.mapping == Mapping::Patches && self.draws_on_patches();
+            let on_patches = b.options.mapping == Mapping::Patches && self.draws_mapped();
+            let by_frames = b.options.mapping == Mapping::Frames && self.draws_mapped();
             let indices = if on_patches { b.patches.corner_indices } else { b.mesh.indices };
-            let index = indices[3 * face as usize + k];
+            let index =
+                if by_frames { 3 * (face - b.material.first_face) + k as u32 } else { indices[3 * face as usize + k] };
             let (surface, overlap, six) = match self {
                 Self::SixWay => six_way::vertex(b, index),
-                _ if on_patches => {
+                _ if on_patches || by_frames => {
                     let (surface, overlap) = patched_vertex(b, index);
                     (surface, overlap, Weights::default())
                 }
@@ -137,5 +139,6 @@ fn mixed_hatch(weights: DVec3, corners: &[HatchOut; 3]) -> HatchOut {
         st: std::array::from_fn(|i| mixed(weights, corners.map(|corner| corner.st[i]))),
         contributions: std::array::from_fn(|i| mixed(weights, corners.map(|corner| corner.contributions[i]))),
         normals_oct: corners[0].normals_oct,
+        shares: corners[0].shares,
     }
 }

@@ -8,7 +8,7 @@ use super::barycentric::Place;
 use super::face_frame::{complex_square, fixed_tangent, unpack_shares};
 use super::mapping::triplanar_weights;
 use super::material::Material;
-use super::mesh_types::FaceFrame;
+use super::octahedral::oct_decode;
 use super::patches::{MAX_PATCHES, OVERLAPS, Overlap, copies, overlap_weights, patch_place, seed_turn, unpack_tens};
 use super::stripes::stripe_slope;
 use super::surface::Point;
@@ -32,14 +32,19 @@ pub fn pattern_direction(material: &Material, st_dx: DVec2, st_dy: DVec2) -> DVe
     direction_across(DVec2::new(v.dot(st_dx), v.dot(st_dy)))
 }
 
-/// Of the strokes in a frame; `dx` and `dy` are changes of the place in the space of the frames.
-pub fn frame_direction(material: &Material, n: DVec3, frame: &FaceFrame, dx: DVec3, dy: DVec3) -> DVec2 {
-    let in_frame = |t: DVec3, b: DVec3| {
-        let st = |v: DVec3| DVec2::new(t.dot(v), b.dot(v));
-        pattern_direction(material, st(dx), st(dy))
-    };
+/// Of the strokes in a frame with these shares and this normal; `st_dx` and `st_dy` are changes of the place in it, `dx` and
+/// `dy` in the space of the frames.
+pub fn frame_direction(
+    material: &Material,
+    [shares, normal_oct]: [u32; 2],
+    [st_dx, st_dy]: [DVec2; 2],
+    [dx, dy]: [DVec3; 2],
+) -> DVec2 {
+    let n = oct_decode(normal_oct);
     let e = fixed_tangent(n);
-    in_frame(frame.tangent, frame.bitangent).lerp(in_frame(e, n.cross(e)), unpack_shares(frame.shares).z)
+    let fixed = |v: DVec3| DVec2::new(e.dot(v), n.cross(e).dot(v));
+    let in_fixed = pattern_direction(material, fixed(dx), fixed(dy));
+    pattern_direction(material, st_dx, st_dy).lerp(in_fixed, unpack_shares(shares).z)
 }
 
 /// Of three planes.
@@ -107,7 +112,7 @@ pub fn stripes_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 
     direction_across(DVec2::new(slope(place.dx), slope(place.dy)))
 }
 
-/// Of the mapping; `uv_dx` and `uv_dy` are changes of the mesh's own uv.
+/// Of the mapping; `uv_dx` and `uv_dy` are changes of the point's uv.
 pub fn mapped_direction(
     b: &Bindings<'_>,
     point: &Point,
@@ -117,10 +122,7 @@ pub fn mapped_direction(
     [uv_dx, uv_dy]: [DVec2; 2],
 ) -> DVec2 {
     match b.options.mapping {
-        Mapping::Frames => {
-            let n = b.mesh.face_normals[point.face].truncate();
-            frame_direction(b.material, n, &b.mesh.face_frames[point.face], dx, dy)
-        }
+        Mapping::Frames => frame_direction(b.material, point.framing, [uv_dx, uv_dy], [dx, dy]),
         Mapping::Triplanar => triplanar_direction(b.material, point.normal, dx, dy),
         Mapping::Patches => patches_direction(b, overlap, slopes),
         Mapping::Lapped => lapped_direction(b, point.face, place),

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::face_frame::{fixed_tangent, unpack_shares};
 use super::material::{Material, tile_uv};
 use super::mesh_types::FaceFrame;
+use super::octahedral::oct_decode;
 use super::scene::Scene;
 use super::surface::Point;
 use crate::cpu::{Bindings, Form, Mapping, Quad};
@@ -66,10 +67,13 @@ pub fn map_uv(material: &Material, points: &Quad<Point>, lane: usize) -> Mapped 
     }
 }
 
-/// The frame of a face, the frame turned by half, and the fixed frame, at a place in their space.
-pub fn frame_patterns(material: &Material, p: DVec3, n: DVec3, frame: &FaceFrame) -> [Pattern; 3] {
-    let st = DVec2::new(p.dot(frame.tangent), p.dot(frame.bitangent));
-    let shares = unpack_shares(frame.shares);
+/// Surface coordinates of a place in the space of the frames.
+pub fn frame_st(frame: &FaceFrame, p: DVec3) -> DVec2 {
+    DVec2::new(p.dot(frame.tangent), p.dot(frame.bitangent))
+}
+
+/// The frame of a face with this normal, its half turn, and the fixed frame, at a place `p` that has `st` in the first.
+pub fn frame_patterns(material: &Material, p: DVec3, st: DVec2, n: DVec3, shares: DVec3) -> [Pattern; 3] {
     let e = fixed_tangent(n);
     let fixed_st = DVec2::new(p.dot(e), p.dot(n.cross(e)));
     [
@@ -79,13 +83,13 @@ pub fn frame_patterns(material: &Material, p: DVec3, n: DVec3, frame: &FaceFrame
     ]
 }
 
-/// The light-aligned frame of the face.
+/// The light-aligned frame of the face; vertices hand on the place in it, in place of the mesh's uv.
 pub fn map_frames(b: &Bindings<'_>, point: &Point) -> Mapped {
     let form = b.options.form;
     let p = frame_place(form, b.scene, point.p_world);
-    let n = b.mesh.face_normals[point.face].truncate();
+    let [shares, normal_oct] = point.framing;
     Mapped {
-        patterns: frame_patterns(b.material, p, n, &b.mesh.face_frames[point.face]),
+        patterns: frame_patterns(b.material, p, point.uv, oct_decode(normal_oct), unpack_shares(shares)),
         tiles_per_px: footprint(form, b.scene, b.material, point),
     }
 }

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use crate::types;
-pub use crate::types::NO_FACE;
+pub use crate::types::{NO_FACE, NO_NORMAL};
 
 /// A vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,6 +23,8 @@ pub struct FaceFrame {
     pub bitangent: DVec3,
     /// Shares of the frame, of its half turn and of the fixed frame: three 10-bit unorm, low bits first.
     pub shares: u32,
+    /// Normal of the face, octahedral, or [`NO_NORMAL`] where it has no area.
+    pub normal_oct: u32,
 }
 
 impl From<&types::Vertex> for Vertex {
@@ -38,6 +40,7 @@ impl From<&types::FaceFrame> for FaceFrame {
             tangent: Vec3::from(frame.tangent).as_dvec3(),
             bitangent: Vec3::new(frame.bitangent_x, y, z).as_dvec3(),
             shares: frame.shares,
+            normal_oct: frame.normal_oct,
         }
     }
 }

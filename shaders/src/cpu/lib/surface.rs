@@ -48,10 +48,12 @@ pub struct Point {
     pub view: DVec3,
     /// Distance along the camera's axis.
     pub depth: f64,
-    /// The mesh's own coordinates.
+    /// The mesh's own coordinates; in the mapping by frames the place in the frame.
     pub uv: DVec2,
     /// Triangle of the mesh.
     pub face: usize,
+    /// There: shares and normal of the frame, as `FaceFrame` has them.
+    pub framing: [u32; 2],
 }
 
 /// Triangle of the mesh that a fragment lies on.
@@ -87,6 +89,7 @@ pub fn surface_point(scene: &Scene, material: &Material, input: &FragmentIn, fro
         depth: (-to_camera.dot(scene.camera_forward)).max(1e-6),
         uv: input.uv,
         face: face_of(material, input),
+        framing: [0; 2],
     }
 }
 

@@ -8,6 +8,7 @@ use tam_shaders::cpu::lib::directions::{
     patches_direction, pattern_direction, rotated, stripes_direction, triplanar_direction,
 };
 use tam_shaders::cpu::lib::face_frame::fixed_tangent;
+use tam_shaders::cpu::lib::octahedral::oct_decode;
 use tam_shaders::cpu::lib::patches::{MAX_PATCHES, copies, corner_overlap, patch_place, seed_turn};
 use tam_shaders::cpu::lib::stripes::stripe_slope;
 use tam_shaders::cpu::lib::surface::Point;
@@ -36,14 +37,17 @@ pub(crate) fn rows() -> Vec<Row> {
         row(
             "frame_direction",
             Pass::Debug,
-            "vec4f(frame_direction(d.xyz, face_frames[u32(d.w)], b.xyz, c.xyz), 0.0, 0.0)",
+            "vec4f(frame_direction(vec2u(face_frames[u32(d.w)].shares, face_frames[u32(d.w)].normal_oct), b.xy, c.xy, b.xyz, \
+             c.xyz), 0.0, 0.0)",
             steps,
         )
         .twin(|b, case| {
             let frame = &b.mesh.face_frames[case[3].w as usize];
-            two(frame_direction(b.material, case[3].truncate(), frame, case[1].truncate(), case[2].truncate()))
+            let framing = [frame.shares, frame.normal_oct];
+            let steps = [case[1], case[2]].map(DVec4::truncate);
+            two(frame_direction(b.material, framing, [xy(case[1]), xy(case[2])], steps))
         })
-        .except_where(|b, case| frame_is_short(b, case, case[3].truncate()))
+        .except_where(frame_is_short)
         .within(DIRECTION, 0.0),
         // Weights by logarithms that drivers have to 1e-5.
         row("triplanar_direction", Pass::Debug, "vec4f(triplanar_direction(d.xyz, b.xyz, c.xyz), 0.0, 0.0)", steps)
@@ -83,13 +87,16 @@ pub(crate) fn rows() -> Vec<Row> {
         row(
             "mapped_direction",
             Pass::Debug,
-            "vec4f(mapped_direction(Point(a.xyz, d.xyz, d.xyz, 1.0, a.xy, u32(d.w)), Place(a.xyz, b.xyz, c.xyz), \
+            "vec4f(mapped_direction(Point(a.xyz, d.xyz, d.xyz, 1.0, a.xy, u32(d.w), \
+             vec2u(face_frames[u32(d.w)].shares, face_frames[u32(d.w)].normal_oct)), Place(a.xyz, b.xyz, c.xyz), \
              corner_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx), b.xyz, c.xyz, b.xy, c.xy), 0.0, 0.0)",
             steps,
         )
         .twin(|b, case| {
             let [p, dx, dy, n] = [0, 1, 2, 3].map(|i: usize| case[i].truncate());
-            let point = Point { p_world: p, normal: n, view: n, depth: 1.0, uv: xy(case[0]), face: case[3].w as usize };
+            let face = case[3].w as usize;
+            let framing = [b.mesh.face_frames[face].shares, b.mesh.face_frames[face].normal_oct];
+            let point = Point { p_world: p, normal: n, view: n, depth: 1.0, uv: xy(case[0]), face, framing };
             let overlap = (&corner_overlap(b.options.follow, b.patches, case[3].w as u32), &slopes(case));
             two(mapped_direction(b, &point, &place(case), overlap, [dx, dy], [xy(case[1]), xy(case[2])]))
         })
@@ -98,7 +105,7 @@ pub(crate) fn rows() -> Vec<Row> {
         )
         .except_where(|b, case| match b.options.mapping {
             Mapping::Uv => is_short(b, case, 1.0, DVec3::X, DVec3::Y),
-            Mapping::Frames => frame_is_short(b, case, b.mesh.face_normals[case[3].w as usize].truncate()),
+            Mapping::Frames => frame_is_short(b, case),
             Mapping::Triplanar => planes_are_short(b, case),
             Mapping::Patches => corner_is_short(b, case),
             Mapping::Lapped => patches_are_short(b, case),
@@ -139,10 +146,10 @@ fn is_short(b: &Bindings<'_>, case: &Case, scale: f64, s: DVec3, t: DVec3) -> bo
     short(case, scale, DVec2::new(v.dot(case[1].truncate()), v.dot(case[2].truncate())))
 }
 
-fn frame_is_short(b: &Bindings<'_>, case: &Case, n: DVec3) -> bool {
-    let frame = &b.mesh.face_frames[case[3].w as usize];
+fn frame_is_short(b: &Bindings<'_>, case: &Case) -> bool {
+    let n = oct_decode(b.mesh.face_frames[case[3].w as usize].normal_oct);
     let e = fixed_tangent(n);
-    is_short(b, case, 1.0, frame.tangent, frame.bitangent) || is_short(b, case, 1.0, e, n.cross(e))
+    is_short(b, case, 1.0, DVec3::X, DVec3::Y) || is_short(b, case, 1.0, e, n.cross(e))
 }
 
 fn planes_are_short(b: &Bindings<'_>, case: &Case) -> bool {

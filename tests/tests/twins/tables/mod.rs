@@ -12,6 +12,7 @@ mod strokes;
 mod surface;
 
 use glam::{DVec2, DVec3, DVec4};
+use tam_shaders::cpu::Bindings;
 use tam_shaders::cpu::lib::surface::Point;
 
 use crate::draw::{Case, Draw, OWN};
@@ -52,7 +53,14 @@ pub(crate) fn point(case: &Case) -> Point {
         depth: case[0].w,
         uv: xy(case[3]),
         face: case[3].z as usize,
+        framing: [0; 2],
     }
+}
+
+/// The same with the frame of its face.
+pub(crate) fn framed_point(b: &Bindings<'_>, case: &Case) -> Point {
+    let frame = &b.mesh.face_frames[case[3].z as usize];
+    Point { framing: [frame.shares, frame.normal_oct], ..point(case) }
 }
 
 /// The first two components.

@@ -4,11 +4,12 @@ use glam::{DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::corner_weights;
 use tam_shaders::cpu::lib::blend::{lapped_ink, patch_ink, patches_ink, surface_ink};
-use tam_shaders::cpu::lib::patched::patched_vertex;
+use tam_shaders::cpu::lib::patched::{patched_point, patched_vertex};
 use tam_shaders::cpu::lib::patches::{
-    NO_SEED, corner_overlap, corner_vertex, overlap_weights, patch_behind, patch_place, patch_weight, patches_at,
-    seed_turn, turned_uv, unpack_tens,
+    NO_SEED, Overlap, corner_overlap, corner_vertex, overlap_weights, patch_behind, patch_place, patch_weight,
+    patches_at, seed_turn, turned_uv, unpack_tens,
 };
+use tam_shaders::cpu::lib::surface::FragmentIn;
 use tam_shaders::cpu::{Blend, Follow, Form, Mapping, Options, Quad, fine_tone, six_way};
 
 use super::maps::SAMPLED;
@@ -118,6 +119,26 @@ pub(crate) fn rows() -> Vec<Row> {
             .in_options([Follow::Surface, Follow::Light].map(|follow| Options { follow, ..Options::default() }))
             .within(1e-30, 0.0),
         row(
+            "patched_point",
+            Pass::FineTone,
+            "vec4f(patched_point(FragmentIn(a.xyz, b.xyz, a.xy, 1u), PatchedIn(vec4f(0.0), vec4f(0.0), vec4f(0.0), \
+             vec4u(u32(d.z), u32(d.w), 1u, 2u)), true).normal, f32(patched_point(FragmentIn(a.xyz, b.xyz, a.xy, 1u), \
+             PatchedIn(vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4u(u32(d.z), u32(d.w), 1u, 2u)), true).framing.y))",
+            at_a_corner,
+        )
+        .twin(|b, case| {
+            let overlap = Overlap { seeds: [case[3].z as u32, case[3].w as u32, 1, 2], ..Overlap::default() };
+            let input = FragmentIn {
+                p_world: case[0].truncate(),
+                normal: case[1].truncate(),
+                overlap,
+                ..FragmentIn::default()
+            };
+            let point = patched_point(b.scene, b.material, &input, true);
+            point.normal.extend(f64::from(point.framing[1]))
+        })
+        .within(32.0 * U, 0.0),
+        row(
             "overlap_of",
             Pass::FineTone,
             "overlap_of(PatchedIn(vec4f(0.0), vec4f(0.0), corner_overlap(u32(d.z)).behind, vec4u(1u))).behind",
@@ -130,6 +151,19 @@ pub(crate) fn rows() -> Vec<Row> {
             .twin(|b, case| overlap_weights(corner_overlap(b.options.follow, b.patches, case[3].z as u32).behind))
             .within(64.0 * U, 0.0),
         // Two matrices times a point; clip coordinates are below 10.
+        row(
+            "patched_vertex",
+            Pass::FineTone,
+            "vec4f(patched_vertex(u32(d.w)).uv, vec2f(patched_vertex(u32(d.w)).seeds.xy >> vec2u(8u)))",
+            at_a_corner,
+        )
+        .twin(|b, case| {
+            let (surface, overlap) = patched_vertex(b, case[3].w as u32);
+            let [shares, normal, ..] = overlap.seeds.map(|code| f64::from(code >> 8));
+            surface.uv.extend(shares).extend(normal)
+        })
+        .in_options([Options { mapping: Mapping::Frames, ..Options::default() }])
+        .within(64.0 * U, 0.0),
         row("patched_vertex", Pass::FineTone, "patched_vertex(u32(d.w)).clip", at_a_corner)
             .twin(|b, case| patched_vertex(b, case[3].w as u32).0.clip)
             .in_options([Mapping::Uv, Mapping::Patches].map(|mapping| with(mapping, Blend::Union)))

@@ -2,14 +2,15 @@
 
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
+use tam_shaders::cpu::lib::face_frame::unpack_shares;
 use tam_shaders::cpu::lib::mapping::{
-    Mapped, footprint, frame_patterns, frame_place, map_frames, map_surface, map_triplanar, map_uv, mean_footprint,
-    pattern_count, triplanar_weights,
+    Mapped, footprint, frame_patterns, frame_place, frame_st, map_frames, map_surface, map_triplanar, map_uv,
+    mean_footprint, pattern_count, triplanar_weights,
 };
 use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, face_of, mesh_vertex, surface_point, surface_vertex};
 use tam_shaders::cpu::{Mapping, Options};
 
-use super::{any_point, one, point, three, two, xy};
+use super::{any_point, framed_point, one, point, three, two, xy};
 use crate::draw::{Case, Draw, OWN};
 use crate::row::{Row, U, row};
 
@@ -119,23 +120,26 @@ fn mapping_rows() -> Vec<Row> {
         row(
             "frame_patterns",
             Pass::StrokeMap,
-            "patterned(frame_patterns(a.xyz, b.xyz, face_frames[u32(d.z)])[u32(d.w * 2.99)])",
+            "patterned(frame_patterns(a.xyz, d.xy, b.xyz, unpack_shares(face_frames[u32(d.z)].shares))[u32(d.w * 2.99)])",
             any_point,
         )
         .twin(|b, case| {
-            let frame = &b.mesh.face_frames[case[3].z as usize];
-            let patterns = frame_patterns(b.material, case[0].truncate(), case[1].truncate(), frame);
+            let shares = unpack_shares(b.mesh.face_frames[case[3].z as usize].shares);
+            let patterns = frame_patterns(b.material, case[0].truncate(), xy(case[3]), case[1].truncate(), shares);
             patterned(&Mapped { patterns, tiles_per_px: 0.0 }, (case[3].w * 2.99) as usize)
         })
         .except_where(|_, case| (case[3].w * 2.99).fract() < 1e-5)
         // As at map_uv.
         .within(64.0 * U, 0.0),
+        row("frame_st", Pass::StrokeMap, "vec4f(frame_st(face_frames[u32(d.z)], a.xyz), 0.0, 0.0)", any_point)
+            .twin(|b, case| two(frame_st(&b.mesh.face_frames[case[3].z as usize], case[0].truncate())))
+            .within(16.0 * U, 0.0),
         row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).a)", any_point)
-            .twin(|b, case| patterned(&map_frames(b, &point(case)), 0))
+            .twin(|b, case| patterned(&map_frames(b, &framed_point(b, case)), 0))
             .in_both_forms()
             .within(128.0 * U, 0.0),
         row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).c)", any_point)
-            .twin(|b, case| patterned(&map_frames(b, &point(case)), 2))
+            .twin(|b, case| patterned(&map_frames(b, &framed_point(b, case)), 2))
             .in_both_forms()
             .within(128.0 * U, 0.0),
         // A cube of small numbers by logarithms that drivers have to 1e-5, over the sum of such.
@@ -160,7 +164,7 @@ fn mapping_rows() -> Vec<Row> {
             smooth_point,
         )
         .quad_twin(|b, quad, lane| {
-            let mapped = map_surface(b, &quad.map(point), lane);
+            let mapped = map_surface(b, &quad.map(|case| framed_point(b, case)), lane);
             patterned(&mapped, 0).with_w(mapped.tiles_per_px)
         })
         .in_options(all_mappings())
@@ -171,7 +175,7 @@ fn mapping_rows() -> Vec<Row> {
             "vec4f(f32(pattern_count(map_frames(case_point(a, b, c, d)))), 0.0, 0.0, 0.0)",
             any_point,
         )
-        .twin(|b, case| one(pattern_count(b.options.mapping, &map_frames(b, &point(case))) as f64))
+        .twin(|b, case| one(pattern_count(b.options.mapping, &map_frames(b, &framed_point(b, case))) as f64))
         .in_options(all_mappings())
         .within(1e-30, 0.0),
     ]
