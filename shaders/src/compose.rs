@@ -11,7 +11,7 @@ pub enum Pass {
     Phong,
     /// Praun's blend of six columns, weighted at the vertices.
     SixWay,
-    /// Suarez's light-aligned frames, fetched per fragment.
+    /// Suarez's light-aligned frames, fetched per fragment: the literal form.
     FaceFrame,
     /// The same with the work in the vertex stage.
     FaceFrameVertex,
@@ -99,6 +99,7 @@ pieces!(
     "directions",
     "edges",
     "face_frame",
+    "faced",
     "form",
     "halftone",
     "light",
@@ -110,68 +111,42 @@ pieces!(
     "patched",
     "patches",
     "scene",
+    "stages",
+    "striped",
     "stripes",
     "strokes",
     "surface",
     "threshold",
 );
 
-/// What the adapter can do, as far as it changes a source.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Capabilities {
-    /// Fragments know the index of their triangle. Without it the first vertex of each triangle carries it.
-    pub primitive_index: bool,
-}
-
 /// The WGSL of a pass.
-pub fn compose(pass: Pass, capabilities: Capabilities) -> String {
-    compose_source(pass.source(), capabilities)
+pub fn compose(pass: Pass) -> String {
+    compose_source(pass.source())
 }
 
-/// The WGSL of a source that includes pieces by `//!include lib/NAME.wgsl`, and keeps lines between `//!if flat_face`,
-/// `//!else` and `//!end` by the capabilities.
+/// The WGSL of a source that includes pieces by `//!include lib/NAME.wgsl`.
 ///
 /// # Panics
-/// If the source asks for a piece or a flag that does not exist: sources are part of the program.
-pub fn compose_source(source: &str, capabilities: Capabilities) -> String {
-    let mut composed = String::new();
-    if capabilities.primitive_index {
-        composed.push_str("enable primitive_index;\n");
-    }
-    composed.push_str("diagnostic(off, derivative_uniformity);\n");
-    append(source, capabilities, &mut Vec::new(), &mut composed);
+/// If the source asks for a piece that does not exist: sources are part of the program.
+pub fn compose_source(source: &str) -> String {
+    let mut composed = String::from("diagnostic(off, derivative_uniformity);\n");
+    append(source, &mut Vec::new(), &mut composed);
     composed
 }
 
-fn append(source: &str, capabilities: Capabilities, included: &mut Vec<&'static str>, composed: &mut String) {
-    let mut kept = true;
+fn append(source: &str, included: &mut Vec<&'static str>, composed: &mut String) {
     for line in source.lines() {
-        let Some(directive) = line.trim_start().strip_prefix("//!") else {
-            if kept {
-                composed.push_str(line);
-                composed.push('\n');
-            }
+        let Some(directive) = line.strip_prefix("//!") else {
+            composed.push_str(line);
+            composed.push('\n');
             continue;
         };
-        let (word, argument) = directive.split_once(' ').unwrap_or((directive, ""));
-        match word {
-            "include" => {
-                let (path, piece) = PIECES
-                    .iter()
-                    .find(|(path, _)| *path == argument)
-                    .unwrap_or_else(|| panic!("there is no piece {argument}"));
-                if !included.contains(path) {
-                    included.push(path);
-                    append(piece, capabilities, included, composed);
-                }
-            }
-            "if" => {
-                assert_eq!(argument, "flat_face", "there is no flag {argument}");
-                kept = !capabilities.primitive_index;
-            }
-            "else" => kept = !kept,
-            "end" => kept = true,
-            _ => panic!("there is no directive {word}"),
+        let wanted = directive.strip_prefix("include ").unwrap_or_else(|| panic!("there is no directive {directive}"));
+        let (path, piece) =
+            PIECES.iter().find(|(path, _)| *path == wanted).unwrap_or_else(|| panic!("there is no piece {wanted}"));
+        if !included.contains(path) {
+            included.push(path);
+            append(piece, included, composed);
         }
     }
 }

@@ -179,52 +179,24 @@ pub struct Edge {
     pub right: u32,
 }
 
-/// `StripePhases` of `lib/stripes.wgsl`: the stripes of one line field in one triangle. The phase counts lines: it is
-/// whole in the middle of each.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub struct StripePhases {
-    /// Of the corners, in lines.
-    pub corners: [f32; 3],
-    /// Low bit: 0 where the phase winds around the middle of the triangle, 1 where the field is singular and the phase
-    /// folds there. Above: how often it winds (0 nearly everywhere: it is linear), or the sum of corner 0's phase and
-    /// the same after a way round.
-    pub code: i32,
-}
-
-impl StripePhases {
-    /// A phase that grows by `turns` on the way round, beside what the corners say; 0: it is linear.
-    pub fn wound(corners: [f32; 3], turns: i32) -> Self {
-        Self { corners, code: turns << 1 }
-    }
-
-    /// A phase that comes back from the way round as `sum - corners[0]`.
-    pub fn folded(corners: [f32; 3], sum: i32) -> Self {
-        Self { corners, code: sum << 1 | 1 }
-    }
-}
-
-/// What a corner of a triangle sees of up to four patches: two of the records `patch_corners` of `lib/patches.wgsl`.
+/// What a corner of a triangle sees of up to four patches: the attributes of `CornerIn` in `lib/patched.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Pod, Zeroable)]
 pub struct PatchCorner {
     /// Its places on the tile, two 16-bit snorm each, in units of 4 tiles.
     pub places: [u32; 4],
     /// How far each stands behind the nearest, two 16-bit unorm to the word, in units of 4 feathers; all that is not there
-    /// stands that far behind.
+    /// stands that far behind. Of lapped textures the alphas, 0 for all that is not there.
     pub behind: [u32; 2],
-    /// The mesh's vertex that stands there.
-    pub vertex: u32,
-    /// Number of the record, behind those of all corners, with the seeds of the four.
-    pub seeds: u32,
 }
 
-/// `PatchEntry` of `lib/patches.wgsl`.
+/// What a corner carries of the lines of both fields: the attributes of `LineIn` in `lib/striped.wgsl`.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-pub struct PatchEntry {
-    /// Place of each corner on the tile.
-    pub places: [u32; 3],
-    /// Per corner the distance behind the nearest patch, or the alpha.
-    pub shares: u32,
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct LineCorner {
+    /// Of the lines along and across, in lines.
+    pub phases: [f32; 2],
+    /// Around the middle of a triangle in which lines end: the weights of the side's two corners, 0 or 1, and how often the
+    /// phases along and across wind. 0 elsewhere.
+    pub ring: [i8; 4],
 }

@@ -9,10 +9,9 @@ use tam_shaders::cpu::{
     self, Blend, DebugView, Follow, Form, Frames, Mapping, PatternKind, debug, face_geometry, line_edges, lines,
 };
 use tam_shaders::types::{
-    Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, PatchEntry, Scene, StripePhases,
-    Vertex,
+    Edge, FaceFrame, Light, LineStyle, MAX_COLUMNS, MAX_LIGHTS, Material, NO_FACE, NO_NORMAL, Scene, Vertex,
 };
-use tam_shaders::{Capabilities, Pass, compose};
+use tam_shaders::{Pass, compose};
 
 /// A struct as one of the two sides describes it.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,15 +94,13 @@ fn records() -> Vec<Record> {
             _pad_b,
             tones,
         }),
-        record!(StripePhases { corners, code }),
         record!(LineStyle { colour, width_px, crease_cosine, contours, borders, creases, edges, _pad_a, _pad_b }),
         record!(Edge { a, b, left, right }),
-        record!(PatchEntry { places, shares }),
     ]
 }
 
 fn module(pass: Pass) -> Module {
-    let source = compose(pass, Capabilities::default());
+    let source = compose(pass);
     naga::front::wgsl::parse_str(&source).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)))
 }
 
@@ -216,6 +213,7 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
     let expected = [
         ("MAX_LIGHTS", MAX_LIGHTS as f64),
         ("NO_FACE", f64::from(NO_FACE)),
+        ("NO_NORMAL", f64::from(NO_NORMAL)),
         ("LIGHT_DIRECTIONAL", f64::from(scene::LIGHT_DIRECTIONAL)),
         ("LIGHT_POSITIONAL", f64::from(scene::LIGHT_POSITIONAL)),
         ("LIGHT_SPOT", f64::from(scene::LIGHT_SPOT)),
@@ -233,7 +231,6 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("FOLLOW_LIGHT", Follow::Light as u32 as f64),
         ("TURNS", patches::TURNS as f64),
         ("NO_SEED", f64::from(patches::NO_SEED)),
-        ("MAX_PATCHES", patches::MAX_PATCHES as f64),
         ("PLACE_RANGE", patches::PLACE_RANGE),
         ("BEHIND_RANGE", patches::BEHIND_RANGE),
         ("BLEND", Blend::default() as u32 as f64),

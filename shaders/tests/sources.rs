@@ -1,21 +1,41 @@
 //! Every composed source is valid WGSL.
 
-use tam_shaders::{Capabilities, Pass, compose};
+use tam_shaders::{Feed, Pass, compose};
 
 #[test]
-fn every_composed_source_validates_with_and_without_primitive_index() {
+fn every_composed_source_validates() {
     for pass in Pass::ALL {
-        for primitive_index in [false, true] {
-            let source = compose(pass, Capabilities { primitive_index });
-            let module = naga::front::wgsl::parse_str(&source)
-                .unwrap_or_else(|error| panic!("{}: {}", pass.name(), error.emit_to_string(&source)));
-            let mut validator = naga::valid::Validator::new(
-                naga::valid::ValidationFlags::all(),
-                naga::valid::Capabilities::PRIMITIVE_INDEX,
-            );
-            validator
-                .validate(&module)
-                .unwrap_or_else(|error| panic!("{}: {}", pass.name(), error.emit_to_string(&source)));
+        let source = compose(pass);
+        let module = naga::front::wgsl::parse_str(&source)
+            .unwrap_or_else(|error| panic!("{}: {}", pass.name(), error.emit_to_string(&source)));
+        let capabilities = naga::valid::Capabilities::empty();
+        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), capabilities)
+            .validate(&module)
+            .unwrap_or_else(|error| panic!("{}: {}", pass.name(), error.emit_to_string(&source)));
+    }
+}
+
+/// Passes and feeds with storage buffers in the vertex stage, and passes with some in an entry point of the fragment stage.
+#[test]
+fn only_what_looks_at_faces_reads_storage_buffers_and_fragments_only_in_the_literal_form_and_in_views_of_faces() {
+    for pass in Pass::ALL {
+        let source = compose(pass);
+        let module = naga::front::wgsl::parse_str(&source).expect("it is valid");
+        let mut validator =
+            naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+        let info = validator.validate(&module).expect("it is valid");
+        for (i, entry) in module.entry_points.iter().enumerate() {
+            let uses = info.get_entry_point(i);
+            let reads = module.global_variables.iter().any(|(variable, of)| {
+                matches!(of.space, naga::AddressSpace::Storage { .. }) && !uses[variable].is_empty()
+            });
+            let pulled = Feed::ALL.iter().any(|feed| feed.is_pulled() && feed.vertex_entry() == entry.name);
+            let may = match entry.stage {
+                naga::ShaderStage::Fragment => pass == Pass::FaceFrame || entry.name == "fragment_faces",
+                naga::ShaderStage::Vertex => pass == Pass::Lines || pulled,
+                _ => true,
+            };
+            assert_eq!(reads, may, "{}: {}", pass.name(), entry.name);
         }
     }
 }
@@ -38,7 +58,7 @@ fn sources(folder: &str) -> Vec<(String, Vec<String>)> {
 
 #[test]
 fn every_piece_is_included_by_some_pass_and_no_pass_has_one_twice() {
-    let composed = Pass::ALL.map(|pass| compose(pass, Capabilities { primitive_index: true }));
+    let composed = Pass::ALL.map(compose);
     let pieces = sources("wgsl/lib");
     assert!(!pieces.is_empty());
     for (stem, lines) in pieces {
@@ -78,9 +98,8 @@ fn every_function_has_a_twin_of_its_name() {
             let twin = std::fs::read_to_string(twins.join(format!("{stem}.rs"))).expect("there is a twin");
             let twins = functions(&twin.lines().map(str::to_owned).collect::<Vec<_>>(), "pub fn ");
             for function in functions(&lines, "fn ") {
-                // The vertex stage of most passes is that of a piece and no more.
-                let of_pieces = ["    return surface_vertex(index);", "    return patched_vertex(index);"];
-                if function == "vertex" && lines.iter().any(|line| of_pieces.contains(&line.as_str())) {
+                // Entry points of vertex stages are functions of pieces and no more.
+                if Feed::ALL.iter().any(|feed| feed.vertex_entry() == function) {
                     continue;
                 }
                 assert!(twins.contains(&function), "{folder}/{stem}.wgsl: {function} has no twin");

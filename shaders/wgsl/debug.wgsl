@@ -1,7 +1,9 @@
 // What a method works with, in its ink's place: tone, level of detail, columns, direction, adjacency, triangles. Each is a
 // constant of the pipeline and binds no more than the methods do.
 //!include lib/surface.wgsl
-//!include lib/patched.wgsl
+//!include lib/stages.wgsl
+//!include lib/striped.wgsl
+//!include lib/barycentric.wgsl
 //!include lib/adjacency.wgsl
 //!include lib/colour.wgsl
 //!include lib/strokes.wgsl
@@ -139,9 +141,19 @@ fn form_shade(point: Point) -> f32 {
     return mix(0.55, 1.0, abs(dot(point.normal, point.view)));
 }
 
+// Directions of the lines along the field.
+fn stripes_direction(along: Phase) -> vec2f {
+    return direction_across(along.slope);
+}
+
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
-    return patched_vertex(index);
+fn vertex_lines(in: LineIn) -> LineOut {
+    return line_vertex(in);
+}
+
+@vertex
+fn vertex_faced(@builtin(vertex_index) index: u32) -> FacedOut {
+    return faced_vertex(index);
 }
 
 @fragment
@@ -157,7 +169,6 @@ fn fragment(
     let dy = dpdy(p);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
     let slope = length(vec2f(dpdx(d), dpdy(d)));
-    let place = place_in_face(point.face, p, dx, dy);
     var colour = none_colour();
     if DEBUG == DEBUG_TONE {
         return vec4f(tone_colour(d, slope), 1.0);
@@ -175,16 +186,30 @@ fn fragment(
             dpdx(patched.places_ab), dpdx(patched.places_cd), dpdy(patched.places_ab), dpdy(patched.places_cd));
         let uv_dx = dpdx(in.uv);
         let uv_dy = dpdy(in.uv);
-        colour = direction_colour(mapped_direction(point, place, overlap, slopes, dx, dy, uv_dx, uv_dy), place_px.xy);
+        colour = direction_colour(mapped_direction(point, overlap, slopes, dx, dy, uv_dx, uv_dy), place_px.xy);
     }
-    if DEBUG == DEBUG_STRIPES {
-        colour = direction_colour(stripes_direction(point.face, place), place_px.xy);
-    }
-    if DEBUG == DEBUG_ADJACENCY {
-        colour = adjacency_colour(neighbour_share(point.face, p));
-    }
+    return vec4f(colour * form_shade(point), 1.0);
+}
+
+@fragment
+fn fragment_lines(
+    in: FragmentIn,
+    lines: LineFragment,
+    @builtin(position) place_px: vec4f,
+    @builtin(front_facing) front: bool,
+) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    let along = phase_of(in.uv.x, lines.ring, lines.ring.z);
+    return vec4f(direction_colour(stripes_direction(along), place_px.xy) * form_shade(point), 1.0);
+}
+
+@fragment
+fn fragment_faces(in: FragmentIn, faced: FacedIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    var colour = adjacency_colour(neighbour_share(faced.face, frame_place(point.p_world)));
     if DEBUG == DEBUG_TRIANGLES {
-        colour = triangle_colour(point.face) * (1.0 - 0.35 * d);
+        let d = darkness(reflectance(), point.p_world, point.normal, point.view);
+        colour = triangle_colour(faced.face) * (1.0 - 0.35 * d);
     }
     return vec4f(colour * form_shade(point), 1.0);
 }

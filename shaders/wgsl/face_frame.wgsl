@@ -1,12 +1,12 @@
 // Light-aligned frames per face, blended with the neighbours'. Suarez and others, "GPU real time hatching", 2013,
 // algorithms 1 to 3. The frames come from face_frames.wgsl; each fragment fetches its face's and the neighbours'. Draws the
 // literal form, and is kept to be measured against face_frame_vertex.wgsl.
-//!include lib/surface.wgsl
+//!include lib/faced.wgsl
 //!include lib/adjacency.wgsl
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
-    return surface_vertex(index);
+fn vertex_faced(@builtin(vertex_index) index: u32) -> FacedOut {
+    return faced_vertex(index);
 }
 
 // Normals of the frames are in their own space; light needs them in the world, towards the side that is seen.
@@ -25,10 +25,10 @@ fn face_ink(point: Point, p: vec3f, face: u32, front: bool, level: f32) -> f32 {
 }
 
 @fragment
-fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+fn fragment(in: FragmentIn, faced: FacedIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
     let p = frame_place(point.p_world);
-    let face = point.face;
+    let face = faced.face;
     let level = map_level(footprint(point));
     let own = face_normals[face];
     let first = dot(face_planes[2u * face].xyz, p) + face_planes[2u * face].w;

@@ -1,7 +1,7 @@
 // Light-aligned frames per face with the work in the vertex stage, as the paper's geometry stage does it: three
 // vertices per face, each with its own parameters for the four faces. Suarez and others, "GPU real time hatching",
 // 2013, algorithms 1 to 3. No fragment reads any buffer.
-//!include lib/surface.wgsl
+//!include lib/faced.wgsl
 //!include lib/adjacency.wgsl
 
 const FRAMES_HERE: u32 = 0u;
@@ -50,16 +50,16 @@ fn hatch(face: u32, p: vec3f) -> Hatch {
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> HatchOut {
-    let face = index / 3u + material.first_face;
+fn vertex_face(@builtin(vertex_index) index: u32) -> HatchOut {
+    let face = face_of(index);
     let corner = index % 3u;
-    let vertex = vertices[indices[3u * face + corner]];
-    let p = scene.world_from_mesh * vec4f(vertex.position, 1.0);
+    let surface = surface_vertex(pulled_vertex(index), vec2f(0.0));
+    let p = surface.p_world;
     var out: HatchOut;
-    out.clip = scene.clip_from_world * p;
-    out.p_world = p.xyz;
-    out.normal = (scene.world_from_mesh_normal * vec4f(oct_decode(vertex.normal_oct), 0.0)).xyz;
-    let own = hatch(face, p.xyz);
+    out.clip = surface.clip;
+    out.p_world = p;
+    out.normal = surface.normal;
+    let own = hatch(face, p);
     let n = oct_decode(own.normal_oct);
     var st: array<vec2f, 3>;
     for (var k = 0u; k < 3u; k++) {
@@ -67,7 +67,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> HatchOut {
         st[k] = vec2f(0.0);
         out.contributions[k] = -1.0;
         if other != NO_FACE {
-            let theirs = hatch(other, p.xyz);
+            let theirs = hatch(other, p);
             st[k] = theirs.st;
             out.normals_oct[k + 1u] = theirs.normal_oct;
             out.shares[k + 1u] = theirs.shares;

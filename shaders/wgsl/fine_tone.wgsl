@@ -1,18 +1,13 @@
 // Smooth tone from an array of many columns. Webb and others, "Fine tone control in hardware hatching", NPAR 2002, the
 // volume scheme: the tone picks a place among the columns, per fragment, and the two that bracket it are mixed.
 //!include lib/surface.wgsl
-//!include lib/patched.wgsl
+//!include lib/stages.wgsl
 //!include lib/light.wgsl
 //!include lib/columns.wgsl
 //!include lib/blend.wgsl
 
 fn pattern_ink(uv: vec2f, scale: Scale, d: f32) -> f32 {
     return column_ink(uv, scale.level, column_coordinate(d));
-}
-
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
-    return patched_vertex(index);
 }
 
 @fragment

@@ -4,8 +4,8 @@
 //!include lib/light.wgsl
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
-    return surface_vertex(index);
+fn vertex(in: VertexIn) -> VertexOut {
+    return surface_vertex(in, vec2f(0.0));
 }
 
 @fragment

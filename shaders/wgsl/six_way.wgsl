@@ -17,15 +17,12 @@ struct SixWayOut {
     @location(0) p_world: vec3f,
     @location(1) normal: vec3f,
     @location(2) uv: vec2f,
-//!if flat_face
-    @location(3) @interpolate(flat, first) face: u32,
-//!end
     @location(4) light: vec3f,
     @location(5) dark: vec3f,
     @location(6) places_ab: vec4f,
     @location(7) places_cd: vec4f,
     @location(8) behind: vec4f,
-    @location(9) @interpolate(flat, first) seeds: vec4u,
+    @location(9) @interpolate(flat, either) seeds: vec4u,
 }
 
 struct SixWayIn {
@@ -47,27 +44,53 @@ fn six_ink(uv: vec2f, level: f32, weights: Weights) -> f32 {
     return dot(light, weights.light) + dot(dark, weights.dark);
 }
 
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> SixWayOut {
-    let surface = patched_vertex(index);
+// Weights of the tone at a vertex.
+fn vertex_weights(surface: PatchedOut) -> Weights {
     let n = normalize(surface.normal);
     let v = normalize(to_camera(surface.p_world));
-    let weights = column_weights(column_coordinate(darkness(reflectance(), surface.p_world, n, v)));
-    var out: SixWayOut;
-    out.clip = surface.clip;
-    out.p_world = surface.p_world;
-    out.normal = surface.normal;
-    out.uv = surface.uv;
-//!if flat_face
-    out.face = surface.face;
-//!end
-    out.light = weights.light;
-    out.dark = weights.dark;
-    out.places_ab = surface.places_ab;
-    out.places_cd = surface.places_cd;
-    out.behind = surface.behind;
-    out.seeds = surface.seeds;
-    return out;
+    return column_weights(column_coordinate(darkness(reflectance(), surface.p_world, n, v)));
+}
+
+// A vertex with the weights of its tone.
+fn weighted(surface: PatchedOut) -> SixWayOut {
+    let weights = vertex_weights(surface);
+    return SixWayOut(
+        surface.clip,
+        surface.p_world,
+        surface.normal,
+        surface.uv,
+        weights.light,
+        weights.dark,
+        surface.places_ab,
+        surface.places_cd,
+        surface.behind,
+        surface.seeds,
+    );
+}
+
+@vertex
+fn vertex(in: VertexIn) -> SixWayOut {
+    return weighted(patched_vertex(in));
+}
+
+@vertex
+fn vertex_uv(in: UvIn) -> SixWayOut {
+    return weighted(patched_uv(in));
+}
+
+@vertex
+fn vertex_corner(in: CornerIn) -> SixWayOut {
+    return weighted(patched_corner(in));
+}
+
+@vertex
+fn vertex_turning(in: TurningIn) -> SixWayOut {
+    return weighted(patched_turning(in));
+}
+
+@vertex
+fn vertex_face(@builtin(vertex_index) index: u32) -> SixWayOut {
+    return weighted(patched_face(index));
 }
 
 // The tone that interpolated weights stand for.

@@ -2,13 +2,8 @@
 // Knöppel and others, "Stripe patterns on surfaces", 2015.
 //!include lib/surface.wgsl
 //!include lib/light.wgsl
-//!include lib/mapping.wgsl
-//!include lib/barycentric.wgsl
-//!include lib/stripes.wgsl
+//!include lib/striped.wgsl
 //!include lib/strokes.wgsl
-
-// Whether lines are made of strokes; plain ones know no patches.
-override VARIED: u32 = 0u;
 
 const ALONG: u32 = 0u;
 const ACROSS: u32 = 1u;
@@ -16,7 +11,15 @@ const ACROSS: u32 = 1u;
 const EVEN_FROM: f32 = 0.2;
 
 // As doubled_ink, with the strokes of the old line and of the new one that are next to the fragment.
-fn varied_ink(patches: Patches, field: u32, phase: f32, phase_per_px: f32, line_period_px: f32, d: f32) -> f32 {
+fn varied_ink(
+    overlap: Overlap,
+    patch_rows: vec4u,
+    field: u32,
+    phase: f32,
+    phase_per_px: f32,
+    line_period_px: f32,
+    d: f32,
+) -> f32 {
     let wanted = 1.0 / max(phase_per_px * line_period_px, 1e-6);
     let octave = clamp(floor(log2(wanted)), 0.0, 12.0);
     let f = clamp(wanted / exp2(octave) - 1.0, 0.0, 1.0);
@@ -32,49 +35,64 @@ fn varied_ink(patches: Patches, field: u32, phase: f32, phase_per_px: f32, line_
     let rows = u32(octave) + 1u;
     var ink = 0.0;
     if abs(x) - reach < stroke_reach(2.0 - f, d, variety) {
-        let stroke = patched_stroke(patches, field, 2 * i32(row), rows, variety);
+        let stroke = patched_stroke(overlap, patch_rows, field, 2 * i32(row), rows, variety);
         ink = stroke_ink(stroke, x, 2.0 - f, k, d, variety);
     }
     if 1.0 - abs(x) - reach < stroke_reach(f, d, variety) {
-        let stroke = patched_stroke(patches, field, 2 * i32(row) + i32(side), rows, variety);
+        let stroke = patched_stroke(overlap, patch_rows, field, 2 * i32(row) + i32(side), rows, variety);
         ink += stroke_ink(stroke, x - side, f, k, d, variety);
     }
     return mix(min(ink, 1.0), d, smoothstep(FADE_FROM, FADE_TO, per_px));
 }
 
-fn stripes_ink(patches: Patches, field: u32, s: StripePhases, place: Place, d: f32) -> f32 {
-    let slope = vec2f(stripe_slope(s, place.weights, place.dx), stripe_slope(s, place.weights, place.dy));
-    let phase = stripe_phase(s, place.weights);
-    if VARIED == 0u {
-        return doubled_ink(phase, length(slope), material.line_period_px, d);
-    }
-    return varied_ink(patches, field, phase, length(slope), material.line_period_px, d);
-}
-
 // Ink of both fields.
-fn crossed_ink(face: u32, place: Place, d: f32) -> f32 {
+fn plain_ink(along: Phase, across: Phase, d: f32) -> f32 {
     let shares = crossed_darkness(d, material.cross_from);
-    var patches: Patches;
-    if VARIED != 0u {
-        patches = patches_at(face, place.weights);
-    }
-    let ink = stripes_ink(patches, ALONG, stripes_along[face], place, shares.x);
+    let period = material.line_period_px;
+    let ink = doubled_ink(along.at, length(along.slope), period, shares.x);
     if shares.y <= 0.0 {
         return ink;
     }
-    return 1.0 - (1.0 - ink) * (1.0 - stripes_ink(patches, ACROSS, stripes_across[face], place, shares.y));
+    return 1.0 - (1.0 - ink) * (1.0 - doubled_ink(across.at, length(across.slope), period, shares.y));
+}
+
+// The same of lines made of strokes.
+fn stroked_ink(overlap: Overlap, rows: vec4u, along: Phase, across: Phase, d: f32) -> f32 {
+    let shares = crossed_darkness(d, material.cross_from);
+    let period = material.line_period_px;
+    let ink = varied_ink(overlap, rows, ALONG, along.at, length(along.slope), period, shares.x);
+    if shares.y <= 0.0 {
+        return ink;
+    }
+    let crossing = varied_ink(overlap, rows, ACROSS, across.at, length(across.slope), period, shares.y);
+    return 1.0 - (1.0 - ink) * (1.0 - crossing);
 }
 
 @vertex
-fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
-    return surface_vertex(index);
+fn vertex_lines(in: LineIn) -> LineOut {
+    return line_vertex(in);
+}
+
+@vertex
+fn vertex_strokes(in: StrokeIn) -> StrokeOut {
+    return stroke_vertex(in);
 }
 
 @fragment
-fn fragment(in: FragmentIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+fn fragment(in: FragmentIn, lines: LineFragment, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
-    let p = frame_place(point.p_world);
-    let place = place_in_face(point.face, p, dpdx(p), dpdy(p));
+    let along = phase_of(in.uv.x, lines.ring, lines.ring.z);
+    let across = phase_of(in.uv.y, lines.ring, lines.ring.w);
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
-    return drawn(crossed_ink(point.face, place, d));
+    return drawn(plain_ink(along, across, d));
+}
+
+@fragment
+fn fragment_strokes(in: FragmentIn, strokes: StrokeFragment, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    let along = phase_of(in.uv.x, strokes.ring, strokes.ring.z);
+    let across = phase_of(in.uv.y, strokes.ring, strokes.ring.w);
+    let overlap = Overlap(strokes.places_ab, strokes.places_cd, strokes.behind, strokes.seeds);
+    let d = darkness(reflectance(), point.p_world, point.normal, point.view);
+    return drawn(stroked_ink(overlap, strokes.rows, along, across, d));
 }

@@ -1,7 +1,7 @@
 // One sample and a threshold. Freudenberg, "Real-Time Stroke Textures", SIGGRAPH 2001 sketch: strokes of all tones
 // composited into one channel; or, with PATTERN_LINES, lines whose width follows the tone.
 //!include lib/surface.wgsl
-//!include lib/patched.wgsl
+//!include lib/stages.wgsl
 //!include lib/light.wgsl
 //!include lib/columns.wgsl
 //!include lib/threshold.wgsl
@@ -34,11 +34,6 @@ fn pattern_ink(uv: vec2f, scale: Scale, d: f32) -> f32 {
     let theta = equalised(sampled.r, level);
     let texels_per_px = scale.tiles_per_px * material.size_px * exp2(-level);
     return threshold_centred(d, theta.share, theta.rate * sampled.g * texels_per_px);
-}
-
-@vertex
-fn vertex(@builtin(vertex_index) index: u32) -> PatchedOut {
-    return patched_vertex(index);
 }
 
 @fragment

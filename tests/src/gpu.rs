@@ -18,16 +18,8 @@ const SOFTWARE: &str = "llvmpipe";
 /// # Panics
 /// If there is no adapter: drawing is never skipped silently.
 pub fn renderer() -> Renderer {
-    renderer_with(GpuOptions::default())
-}
-
-/// A renderer for tests, with options other than the adapter.
-///
-/// # Panics
-/// If there is no adapter.
-pub fn renderer_with(options: GpuOptions) -> Renderer {
     let adapter = std::env::var("WGPU_ADAPTER_NAME").unwrap_or_else(|_| SOFTWARE.to_owned());
-    match Gpu::open(&GpuOptions { adapter: Some(adapter), ..options }) {
+    match Gpu::open(&GpuOptions { adapter: Some(adapter) }) {
         Ok(gpu) => Renderer::new(gpu),
         Err(error) => {
             panic!("{error}. Tests draw on a software adapter: `apt-get install mesa-vulkan-drivers` brings it.")

@@ -4,8 +4,8 @@
 use glam::{DVec2, DVec3, Vec3, vec3};
 use tam_shaders::cpu::debug::{adjacency_colour, direction_colour, level_hue, none_colour};
 use tam_shaders::cpu::lib::colour::oklch;
-use tam_tests::gpu::{Stage, difference, light_from, loaded, mappings, nan_count, renderer_with, scene_with};
-use tam_viewer::gpu::{GpuOptions, PixelFormat};
+use tam_tests::gpu::{Stage, difference, light_from, loaded, mappings, nan_count, scene_with};
+use tam_viewer::gpu::PixelFormat;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::{DebugView, Follow, Form, Inspect, Light, Lights, Mapping, Method, RenderParams, Scene};
@@ -253,50 +253,45 @@ fn a_triangle_has_one_colour_and_its_neighbour_another() {
     };
     assert!(is_whole(&sides) || is_whole(&crossed), "{sides:?}");
     assert_ne!(is_whole(&sides), is_whole(&crossed));
-    // The same in the next frame, with and without primitive indices.
-    let mut flat =
-        Stage { renderer: renderer_with(GpuOptions { flat_face: true, ..GpuOptions::default() }), ..self::stage() };
-    let again = flat.draw(&showing(DebugView::Triangles, &square_at(0.2)), &bare(), &quad());
+    // The same in the next frame.
+    let again = stage.draw(&showing(DebugView::Triangles, &square_at(0.2)), &bare(), &quad());
     assert!(difference(&pixels, &again) < 1e-6);
 }
 
 #[test]
 fn no_view_fails_or_has_pixels_without_a_number_whatever_the_mesh_lacks() {
-    for flat_face in [false, true] {
-        let renderer = renderer_with(GpuOptions { flat_face, ..GpuOptions::default() });
-        let mut stage = Stage { renderer, size: 32, ..Stage::new("fine-pen", 32) };
-        for sample in [Sample::Quad, Sample::Cube, Sample::Hand] {
-            let mut mesh = prepare(sample.build(300)).expect("a sample").mesh;
-            mesh.uvs.clear();
-            let uploaded = stage.renderer.mesh(&mesh).expect("a mesh that fits");
-            let scene = scene_with(light_from(DVec3::new(0.3, 0.8, 0.5)));
-            for method in Method::ALL {
-                for (view, mapping) in DebugView::ALL.into_iter().flat_map(|view| Mapping::ALL.map(|m| (view, m))) {
-                    let form = if sample == Sample::Cube { Form::Literal } else { Form::Hardened };
-                    let params = RenderParams { method, mapping, form, variety: 0.5, ..bare() };
-                    let params = RenderParams { follow: Follow::Light, ..params };
-                    let pixels = stage.draw_uploaded(&showing(view, &scene), &params, &uploaded);
-                    let what = format!("{} {} {}", sample.name(), method.name(), view.name());
-                    assert_eq!(nan_count(&pixels), 0, "{what}");
-                    let lacks = match view {
-                        DebugView::Frames => match method {
-                            Method::Phong | Method::Stripes => true,
-                            Method::FaceFrame => false,
-                            _ => mapping == Mapping::Uv || mapping.takes_surface(),
-                        },
-                        DebugView::Level => match method {
-                            Method::Phong | Method::Stripes | Method::Halftone => true,
-                            Method::FaceFrame => false,
-                            _ => mapping == Mapping::Uv,
-                        },
-                        _ => continue,
-                    };
-                    let grey = |p: &[f32; 4]| p[0] == p[1] && p[1] == p[2];
-                    assert_eq!(pixels.iter().all(grey), lacks, "{what} {}", mapping.name());
-                    if lacks {
-                        let darkest = pixels.iter().map(|p| f64::from(p[0])).fold(1.0, f64::min);
-                        assert!((0.5..1.01).contains(&(darkest / none_colour().x)), "{what}: {darkest}");
-                    }
+    let mut stage = Stage { size: 32, ..Stage::new("fine-pen", 32) };
+    for sample in [Sample::Quad, Sample::Cube, Sample::Hand] {
+        let mut mesh = prepare(sample.build(300)).expect("a sample").mesh;
+        mesh.uvs.clear();
+        let uploaded = stage.renderer.mesh(&mesh).expect("a mesh that fits");
+        let scene = scene_with(light_from(DVec3::new(0.3, 0.8, 0.5)));
+        for method in Method::ALL {
+            for (view, mapping) in DebugView::ALL.into_iter().flat_map(|view| Mapping::ALL.map(|m| (view, m))) {
+                let form = if sample == Sample::Cube { Form::Literal } else { Form::Hardened };
+                let params = RenderParams { method, mapping, form, variety: 0.5, ..bare() };
+                let params = RenderParams { follow: Follow::Light, ..params };
+                let pixels = stage.draw_uploaded(&showing(view, &scene), &params, &uploaded);
+                let what = format!("{} {} {}", sample.name(), method.name(), view.name());
+                assert_eq!(nan_count(&pixels), 0, "{what}");
+                let lacks = match view {
+                    DebugView::Frames => match method {
+                        Method::Phong | Method::Stripes => true,
+                        Method::FaceFrame => false,
+                        _ => mapping == Mapping::Uv || mapping.takes_surface(),
+                    },
+                    DebugView::Level => match method {
+                        Method::Phong | Method::Stripes | Method::Halftone => true,
+                        Method::FaceFrame => false,
+                        _ => mapping == Mapping::Uv,
+                    },
+                    _ => continue,
+                };
+                let grey = |p: &[f32; 4]| p[0] == p[1] && p[1] == p[2];
+                assert_eq!(pixels.iter().all(grey), lacks, "{what} {}", mapping.name());
+                if lacks {
+                    let darkest = pixels.iter().map(|p| f64::from(p[0])).fold(1.0, f64::min);
+                    assert!((0.5..1.01).contains(&(darkest / none_colour().x)), "{what}: {darkest}");
                 }
             }
         }

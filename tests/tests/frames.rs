@@ -5,12 +5,15 @@ use std::path::Path;
 
 use glam::{DVec3, dvec3};
 use tam_gen::sequence::Draw;
-use tam_tests::gpu::{Stage, difference, mappings, nan_count, renderer_with, surface_for, surface_options};
-use tam_viewer::gpu::{GpuOptions, PixelFormat};
+use tam_tests::gpu::{Stage, difference, mappings, nan_count, surface_for, surface_options};
+use tam_viewer::gpu::PixelFormat;
 use tam_viewer::mesh::sample::Sample;
-use tam_viewer::mesh::{Mesh, NONE, prepare};
+use tam_viewer::mesh::{Mesh, NONE, Part, prepare};
 use tam_viewer::surface::{Surface, SurfaceOptions};
-use tam_viewer::{Blend, FaceFrameForm, Light, LightKind, Lights, Mapping, Method, RenderParams, Scene, Silhouettes};
+use tam_viewer::{
+    Blend, DebugView, FaceFrameForm, Inspect, Light, LightKind, Lights, Mapping, Material, Method, RenderParams, Scene,
+    Silhouettes,
+};
 
 /// Lights of all kinds, some of them where methods break: in the mesh, on an axis, out of their own cone.
 fn random_lights(draw: &mut Draw) -> Lights {
@@ -97,29 +100,34 @@ fn a_frame_is_the_same_twice() {
 }
 
 #[test]
-fn faces_are_found_without_primitive_indices() {
+fn a_mesh_in_parts_is_drawn_as_the_same_mesh_in_one() {
     let (mesh, scene) = view(Sample::Chair, 2000);
-    for (method, mapping) in
-        [(Method::FaceFrame, Mapping::Uv), (Method::FineTone, Mapping::Frames), (Method::SixWay, Mapping::Frames)]
-    {
-        let params = RenderParams { method, mapping, silhouettes: None, ..RenderParams::default() };
-        let mut stage = Stage::new("fine-pen", 96);
-        assert!(stage.renderer.gpu.capabilities.primitive_index, "this adapter has primitive indices");
-        let builtin = stage.draw(&scene, &params, &mesh);
-        stage.renderer = renderer_with(GpuOptions { flat_face: true, ..GpuOptions::default() });
-        let source = tam_viewer::maps::HatchMap::from_preset(
-            "test",
-            stage.map.source.preset.as_ref().expect("made from a preset"),
-            &tam_gen::Job::default(),
-        );
-        stage.map = stage.renderer.map(source.expect("it generates"));
-        assert!(!stage.renderer.gpu.capabilities.primitive_index);
-        let flat = stage.draw(&scene, &params, &mesh);
-        // Triangles start at another corner in one of them: rounding on edges, nothing else.
-        let differing = difference(&builtin, &flat);
-        assert!(differing < 1e-3, "{}: {differing}", method.name());
-        assert!(builtin.iter().filter(|p| p[0] < 0.5).count() > 300, "something is inked");
+    let whole = Mesh {
+        parts: vec![Part { triangles: 0..mesh.triangles.len() as u32, ..mesh.parts[0].clone() }],
+        ..mesh.clone()
+    };
+    assert!(mesh.parts.len() > 2, "{} parts", mesh.parts.len());
+    let scene = Scene { materials: vec![Material::default()], ..scene };
+    let mut stage = Stage::new("fine-pen", 96);
+    for (method, mapping, face_frame, variety) in [
+        (Method::FaceFrame, Mapping::Frames, FaceFrameForm::VertexFetched, 0.0),
+        (Method::FaceFrame, Mapping::Frames, FaceFrameForm::Fetched, 0.0),
+        (Method::FineTone, Mapping::Frames, FaceFrameForm::Fetched, 0.0),
+        (Method::SixWay, Mapping::Patches, FaceFrameForm::Fetched, 0.0),
+        (Method::FineTone, Mapping::Lapped, FaceFrameForm::Fetched, 0.0),
+        (Method::Stripes, Mapping::Uv, FaceFrameForm::Fetched, 0.0),
+        (Method::Stripes, Mapping::Uv, FaceFrameForm::Fetched, 0.7),
+    ] {
+        let params =
+            RenderParams { method, mapping, face_frame, variety, silhouettes: None, ..RenderParams::default() };
+        let [parts, one] = [&mesh, &whole].map(|mesh| stage.draw(&scene, &params, mesh));
+        assert!(difference(&parts, &one) < 1e-6, "{} {face_frame:?} {variety}", method.name());
     }
+    // Faces are counted on from part to part.
+    let inspect = Inspect { debug: Some(DebugView::Triangles), ..Inspect::default() };
+    let scene = Scene { inspect, ..scene };
+    let [parts, one] = [&mesh, &whole].map(|mesh| stage.draw(&scene, &RenderParams::default(), mesh));
+    assert!(difference(&parts, &one) < 1e-6);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use glam::{DMat4, DVec3, Vec3};
 use tam_gen::srgb;
 use tam_tests::gpu::{Stage, front_camera, mappings, renderer, scene_with, surface_for};
-use tam_viewer::gpu::{Gpu, GpuOptions, PixelFormat, TargetFormats, TargetViews};
+use tam_viewer::gpu::{Gpu, PixelFormat, TargetFormats, TargetViews};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, Part, prepare};
 use tam_viewer::{
@@ -201,7 +201,7 @@ fn plain_device() -> (wgpu::Device, wgpu::Queue, wgpu::AdapterInfo) {
 #[test]
 fn every_method_draws_on_a_device_with_default_limits_and_without_features() {
     let (device, queue, info) = plain_device();
-    let mut renderer = Renderer::new(Gpu::shared(&device, &queue, &info, &GpuOptions::default()));
+    let mut renderer = Renderer::new(Gpu::shared(&device, &queue, &info));
     let stage = Stage::new("fine-pen", SIDE);
     let map = renderer.map(std::sync::Arc::clone(&stage.map.source));
     let mesh = sample(Sample::Torus, 1500);

@@ -2,9 +2,8 @@
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec4};
 use tam_shaders::cpu::lib::columns::columns_per_tone;
-use tam_shaders::cpu::lib::patches::PatchTable;
-use tam_shaders::cpu::{self, MapImage, Options, Sampling, StripeTable};
-use tam_shaders::{Pass, types};
+use tam_shaders::cpu::{self, MapImage, Options, Sampling};
+use tam_shaders::{Feed, Pass, types};
 use tam_tests::gpu::{Stage, front_camera, light_from, mappings, surface_for};
 use tam_viewer::gpu::GpuMap;
 use tam_viewer::gpu::PixelFormat;
@@ -12,8 +11,7 @@ use tam_viewer::maps::tone_table;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference, column_pairs, six_columns, thresholds};
-use tam_viewer::surface::Patches;
-use tam_viewer::surface::patches::PatchVertices;
+use tam_viewer::surface::Corners;
 use tam_viewer::{
     Blend, DebugView, FaceFrameForm, Follow, Form, Inspect, Lights, Mapping, Method, Object, Projection, RenderParams,
     Scene,
@@ -70,6 +68,25 @@ fn drawn(params: &RenderParams, inspect: &Inspect, map: &GpuMap) -> Drawn {
     }
 }
 
+/// What vertices carry.
+fn feed(params: &RenderParams, shown: Option<DebugView>) -> Feed {
+    match (params.method, shown) {
+        (_, Some(DebugView::Adjacency | DebugView::Triangles)) => Feed::Faced,
+        (Method::Phong, _) => Feed::Vertices,
+        (Method::FaceFrame, None) if params.frames_made() == FaceFrameForm::Fetched => Feed::Faced,
+        (Method::FaceFrame, _) => Feed::Faces,
+        (Method::Stripes, _) if params.variety > 0.0 => Feed::Strokes,
+        (Method::Stripes, _) => Feed::Lines,
+        _ => match params.mapping {
+            Mapping::Uv => Feed::Uvs,
+            Mapping::Frames => Feed::Faces,
+            Mapping::Triplanar => Feed::Vertices,
+            Mapping::Patches if params.follow == Follow::Light => Feed::Turning,
+            Mapping::Patches | Mapping::Lapped => Feed::Corners,
+        },
+    }
+}
+
 fn options(params: &RenderParams, inspect: &Inspect) -> Options {
     Options {
         form: params.form.into(),
@@ -77,7 +94,6 @@ fn options(params: &RenderParams, inspect: &Inspect) -> Options {
         blend: params.blend.into(),
         pattern: if params.method == Method::Halftone { cpu::PatternKind::Lines } else { cpu::PatternKind::Strokes },
         follow: params.follow.into(),
-        varied: params.method == Method::Stripes && params.variety > 0.0,
         debug: inspect.debug.map_or(cpu::DebugView::None, |view| match view {
             DebugView::Tone => cpu::DebugView::Tone,
             DebugView::Level => cpu::DebugView::Level,
@@ -160,23 +176,18 @@ fn difference(found: &[[f32; 4]], drawn: &Drawn, scene: &Scene, params: &RenderP
     let triangles = 0..mesh.triangles.len() as u32;
     let surface = surface_for(params, mesh);
     let patches = surface.as_ref().and_then(|surface| surface.patches.as_ref().or(surface.lapped.as_ref()));
-    let entries = patches.map_or(Vec::new(), Patches::packed);
-    let starts = patches.map_or(Vec::new(), Patches::packed_starts);
-    let (starts, seeds) = starts.split_at(starts.len() - entries.len());
-    let rows = patches.map_or(&[][..], |patches| &patches.rows);
     let follows = surface.as_ref().filter(|_| params.follow == Follow::Light);
     let turns = follows.map_or(Vec::new(), |surface| surface.turns(&shared, scene.world_from_mesh));
     let turns: Vec<DVec4> = turns.iter().map(|turn| Vec4::from(*turn).as_dvec4()).collect();
-    let vertices = patches.filter(|patches| !patches.lapped);
-    let vertices = vertices.map_or(PatchVertices::default(), |patches| PatchVertices::new(&mesh.triangles, patches));
-    let (corners, corner_indices) = (&vertices.packed(), &vertices.indices);
-    let patches = PatchTable { corners, corner_indices, starts, entries: &entries, rows, seeds, turns: &turns };
     let stripes = surface.as_ref().and_then(|surface| surface.stripes.as_ref());
-    let stripes = stripes
-        .map_or(StripeTable::default(), |stripes| StripeTable { along: &stripes.along, across: &stripes.across });
-    let (map, distribution) = (&drawn.map, &drawn.distribution);
-    let draws = [Draw { triangles, material: &material, map, distribution, patches, stripes }];
-    let how = How { pass: drawn.pass, options: options(params, &scene.inspect), samples: 1 };
+    let corners = match stripes {
+        Some(stripes) => Some(Corners::of_stripes(&mesh.triangles, stripes, patches)),
+        None => patches.map(|patches| Corners::of_patches(&mesh.triangles, patches)),
+    };
+    let (map, distribution, corners) = (&drawn.map, &drawn.distribution, corners.as_ref());
+    let draws = [Draw { triangles, material: &material, map, distribution, corners, turns: &turns }];
+    let (pass, feed) = (drawn.pass, feed(params, scene.inspect.debug));
+    let how = How { pass, feed, options: options(params, &scene.inspect), samples: 1 };
     let twin = Reference::new(mesh).render(&shared, &draws, &how).expect("the reference draws");
 
     let (mut pixels, mut differing, mut sum, mut outline) = (0.0, 0.0, 0.0, 0.0);

@@ -1,14 +1,13 @@
 //! Stripes made of strokes: they keep the tone, change nothing where there is no variety, and hold still.
 
 use glam::DVec3;
-use tam_shaders::cpu::lib::patches::PatchTable;
-use tam_shaders::cpu::{MapImage, Options, StripeTable};
-use tam_shaders::{Pass, types};
+use tam_shaders::cpu::{self, MapImage, Options};
+use tam_shaders::{Feed, Pass, types};
 use tam_tests::gpu::{Stage, front_camera, light_from, nan_count, surface_for};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, prepare};
 use tam_viewer::reference::{Draw, How, Reference};
-use tam_viewer::surface::Surface;
+use tam_viewer::surface::{Corners, Surface};
 use tam_viewer::{Lights, Method, RenderError, RenderParams, Scene};
 
 fn params(variety: f64) -> RenderParams {
@@ -36,8 +35,7 @@ impl Swatch {
     fn ink(&self, d: f64, line_period_px: f64, cross_from: f64, variety: f64) -> Vec<Option<f64>> {
         let (patches, stripes) = (self.surface.patches.as_ref(), self.surface.stripes.as_ref());
         let (patches, stripes) = (patches.expect("patches"), stripes.expect("stripes"));
-        let entries = patches.packed();
-        let seeds: Vec<u32> = patches.entries.iter().map(|entry| entry.seed).collect();
+        let corners = Corners::of_stripes(&self.mesh.triangles, stripes, (variety > 0.0).then_some(patches));
         let material = types::Material {
             colour: [1.0; 4],
             ambient: 1.0,
@@ -53,20 +51,14 @@ impl Swatch {
             material: &material,
             map: &map,
             distribution: &[],
-            stripes: StripeTable { along: &stripes.along, across: &stripes.across },
-            patches: PatchTable {
-                starts: &patches.starts,
-                entries: &entries,
-                rows: &patches.rows,
-                seeds: &seeds,
-                turns: &[],
-                ..PatchTable::default()
-            },
+            corners: Some(&corners),
+            turns: &[],
         }];
         let lights = Lights { ambient: 1.0 - d, lights: Vec::new() };
         let scene = Scene { camera: front_camera(), lights, paper: [1.0; 3], ink: [0.0; 3], ..Scene::default() };
-        let how =
-            How { pass: Pass::Stripes, options: Options { varied: variety > 0.0, ..Options::default() }, samples: 1 };
+        let feed = if variety > 0.0 { Feed::Strokes } else { Feed::Lines };
+        let options = Options { mapping: cpu::Mapping::Patches, ..Options::default() };
+        let how = How { pass: Pass::Stripes, feed, options, samples: 1 };
         let shared = scene.shared([320; 2], 2.0);
         let picture = Reference::new(&self.mesh).render(&shared, &draws, &how).expect("the reference draws");
         let ink = |(colour, share): (&glam::DVec4, &f64)| (*share == 1.0).then_some(1.0 - colour.x);

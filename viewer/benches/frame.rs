@@ -161,60 +161,52 @@ fn main() -> Result<(), Error> {
     if let Some(path) = csv {
         append(path, "")?;
     }
-    for flat_face in [false, true] {
-        let mut renderer = Renderer::new(Gpu::open(&GpuOptions { flat_face, ..GpuOptions::default() })?);
-        let adapter = renderer.gpu.adapter.clone();
-        let timer = FrameTimer::new(&renderer.gpu);
-        println!("{adapter}{}", if flat_face { ", without primitive indices" } else { "" });
-        let preset = Preset::named("pencil").ok_or("an embedded preset")??;
-        let map = renderer.map(HatchMap::from_preset("pencil", &preset, &Job::default())?);
-        // Without primitive indices the half million is enough to compare.
-        let counts = if flat_face { &counts[counts.len() - 2..counts.len() - 1] } else { counts };
-        for triangles in counts.iter().filter(|count| only.is_none_or(|only| only == **count)) {
-            let (mesh, gpu_mesh) = load(&renderer, *triangles)?;
-            // Millions of triangles take long on a software adapter.
-            let rounds = if *triangles > 1_000_000 { rounds.min(9) } else { rounds };
-            for size in sizes {
-                let target = renderer.target([*size, *size], 1, PixelFormat::Srgb8)?;
-                let mut scene = Scene::of(&mesh);
-                scene.camera.distance = scene.camera.fit_distance(gpu_mesh.radius(), 1.0);
-                let mut setting = Setting { scene, mesh: &gpu_mesh, map: &map, target: &target, timer: &timer };
-                let mut ways = ways();
-                if flat_face {
-                    ways.retain(|way| matches!(way.name, "phong" | "face-frame"));
-                }
-                let is_wanted = |way: &Way| named.is_none_or(|named| named.split(';').any(|name| name == way.name));
-                ways.retain(|way| way.name == "phong" || is_wanted(way));
-                ways.retain(|way| !way.on_surface || mesh.triangles.len() <= SURFACE_MOST);
-                let mut times = vec![Vec::new(); ways.len()];
-                for round in 0..rounds + 2 {
-                    for (way, times) in ways.iter().zip(&mut times) {
-                        let time = frame(&mut renderer, &mut setting, way, round)?;
-                        // The first two frames make pipelines and faces.
-                        if round >= 2 {
-                            times.push(time);
-                        }
+    let mut renderer = Renderer::new(Gpu::open(&GpuOptions::default())?);
+    let adapter = renderer.gpu.adapter.clone();
+    let timer = FrameTimer::new(&renderer.gpu);
+    println!("{adapter}");
+    let preset = Preset::named("pencil").ok_or("an embedded preset")??;
+    let map = renderer.map(HatchMap::from_preset("pencil", &preset, &Job::default())?);
+    for triangles in counts.iter().filter(|count| only.is_none_or(|only| only == **count)) {
+        let (mesh, gpu_mesh) = load(&renderer, *triangles)?;
+        // Millions of triangles take long on a software adapter.
+        let rounds = if *triangles > 1_000_000 { rounds.min(9) } else { rounds };
+        for size in sizes {
+            let target = renderer.target([*size, *size], 1, PixelFormat::Srgb8)?;
+            let mut scene = Scene::of(&mesh);
+            scene.camera.distance = scene.camera.fit_distance(gpu_mesh.radius(), 1.0);
+            let mut setting = Setting { scene, mesh: &gpu_mesh, map: &map, target: &target, timer: &timer };
+            let mut ways = ways();
+            let is_wanted = |way: &Way| named.is_none_or(|named| named.split(';').any(|name| name == way.name));
+            ways.retain(|way| way.name == "phong" || is_wanted(way));
+            ways.retain(|way| !way.on_surface || mesh.triangles.len() <= SURFACE_MOST);
+            let mut times = vec![Vec::new(); ways.len()];
+            for round in 0..rounds + 2 {
+                for (way, times) in ways.iter().zip(&mut times) {
+                    let time = frame(&mut renderer, &mut setting, way, round)?;
+                    // The first two frames make pipelines and faces.
+                    if round >= 2 {
+                        times.push(time);
                     }
                 }
-                let mut table = String::new();
-                let times: Vec<Times> = times.into_iter().map(Times::of).collect();
-                println!("  {size}x{size}, {rounds} frames each");
-                for (way, Times { median, quartiles: [low, high] }) in ways.iter().zip(&times) {
-                    let ratio = median / times[0].median;
-                    println!("    {:32} {median:8.2} ms  {ratio:5.2} x phong", way.name);
-                    let form = if flat_face { "flat" } else { "index" };
-                    writeln!(
-                        table,
-                        "\"{}\",{},{},{size},\"{}\",{form},{median:.4},{ratio:.3},{rounds},{low:.4},{high:.4}",
-                        adapter.name,
-                        adapter.kind,
-                        mesh.triangles.len(),
-                        way.name
-                    )?;
-                }
-                if let Some(path) = csv {
-                    append(path, &table)?;
-                }
+            }
+            let mut table = String::new();
+            let times: Vec<Times> = times.into_iter().map(Times::of).collect();
+            println!("  {size}x{size}, {rounds} frames each");
+            for (way, Times { median, quartiles: [low, high] }) in ways.iter().zip(&times) {
+                let ratio = median / times[0].median;
+                println!("    {:32} {median:8.2} ms  {ratio:5.2} x phong", way.name);
+                writeln!(
+                    table,
+                    "\"{}\",{},{},{size},\"{}\",{median:.4},{ratio:.3},{rounds},{low:.4},{high:.4}",
+                    adapter.name,
+                    adapter.kind,
+                    mesh.triangles.len(),
+                    way.name
+                )?;
+            }
+            if let Some(path) = csv {
+                append(path, &table)?;
             }
         }
     }
@@ -222,7 +214,7 @@ fn main() -> Result<(), Error> {
 }
 
 const HEADING: &str =
-    "adapter,kind,triangles,side_px,method,face_id,median_ms,ratio_to_phong,frames,quartile_1_ms,quartile_3_ms";
+    "adapter,kind,triangles,side_px,method,median_ms,ratio_to_phong,frames,quartile_1_ms,quartile_3_ms";
 
 /// Appends rows, below a heading where the file is new, to a file of the same columns.
 fn append(path: &str, table: &str) -> Result<(), Error> {

@@ -8,7 +8,8 @@ use std::time::Instant;
 use tam_viewer::mesh::prepare;
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::surface::{
-    FieldOptions, Graph, LappedOptions, PatchOptions, StripeOptions, curvatures, field, lapped, patches, stripes,
+    Corners, FieldOptions, Graph, LappedOptions, PatchOptions, StripeOptions, curvatures, field, lapped, patches,
+    stripes,
 };
 
 const ROUNDS: usize = 5;
@@ -58,7 +59,7 @@ fn row(sample: Sample, count: usize) {
         lap(&mut times[2]);
         let patches = patches(&graph, &curvatures, &field, &PatchOptions::default());
         lap(&mut times[3]);
-        let stripes = match stripes(&graph, &field, &StripeOptions::default()) {
+        let stripes = match stripes(&graph, &mesh.neighbours, &field, &StripeOptions::default()) {
             Ok(stripes) => stripes,
             Err(error) => return say(&format!("{}: {error}", sample.name())),
         };
@@ -69,7 +70,9 @@ fn row(sample: Sample, count: usize) {
             return say(&format!("{}: {error}", sample.name()));
         }
         times[6].push(started.elapsed().as_secs_f64());
-        bytes = patches.bytes() + size_of_val(&stripes.along[..]) as u64 + size_of_val(&stripes.across[..]) as u64;
+        let corners =
+            [Corners::of_patches(&mesh.triangles, &patches), Corners::of_stripes(&mesh.triangles, &stripes, None)];
+        bytes = corners.iter().map(Corners::bytes).sum();
     }
     let seconds: Vec<String> = times.into_iter().map(|times| format!("{:.3}", median(times))).collect();
     let [graph, curvature, field, patches, stripes, all, lapped] = &seconds[..] else { return };

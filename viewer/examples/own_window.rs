@@ -1,7 +1,7 @@
 //! The renderer in a window and on a device of one's own: `cargo run -p tam-viewer --example own_window [FRAMES]`.
 
 use std::{error::Error, sync::Arc};
-use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, GpuOptions, TargetFormats, TargetViews};
+use tam_viewer::gpu::{Gpu, GpuMap, GpuMesh, TargetFormats, TargetViews};
 use tam_viewer::{Light, Object, RenderParams, Renderer, Scene, maps::HatchMap, mesh::prepare, mesh::sample::Sample};
 use winit::event_loop::{ActiveEventLoop, EventLoop};
 use winit::{application::ApplicationHandler, event::WindowEvent, window::Window, window::WindowId};
@@ -26,7 +26,7 @@ impl Shown {
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()))?;
         let mut config = surface.get_default_config(&adapter, 1, 1).ok_or("the adapter draws in no window")?;
         config.format = config.format.add_srgb_suffix();
-        let renderer = Renderer::new(Gpu::shared(&device, &queue, &adapter.get_info(), &GpuOptions::default()));
+        let renderer = Renderer::new(Gpu::shared(&device, &queue, &adapter.get_info()));
         let mesh = renderer.mesh(&prepare(Sample::TorusKnot.build(20_000))?.mesh)?;
         let map = HatchMap::from_preset("plain", &tam_gen::Preset::default(), &tam_gen::Job::default())?;
         Ok(Self { map: renderer.map(map), window, surface, config, renderer, mesh, frame: 0 })

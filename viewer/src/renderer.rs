@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use tam_shaders::types;
 
+use crate::gpu::feeds::Fed;
 use crate::gpu::{
-    Gpu, GpuError, GpuMap, GpuMesh, Layouts, MapError, MapTextures, PixelFormat, PlacedMesh, SurfaceBuffers, Target,
-    TargetViews, Uniforms,
+    Gpu, GpuError, GpuMap, GpuMesh, Layouts, MapError, MapTextures, PixelFormat, PlacedMesh, Target, TargetViews,
+    Uniforms,
 };
 use crate::maps::HatchMap;
 use crate::mesh::Mesh;
@@ -71,8 +72,8 @@ pub(crate) struct Draw<'a> {
     pub variant: Variant,
     /// Number of the pipeline that shades it.
     pub pipeline: usize,
-    /// Drawn with: vertices of the mesh, or corners with their patches.
-    pub indices: &'a wgpu::Buffer,
+    /// What its vertices carry, and its parts.
+    pub fed: Fed<'a>,
     /// View and placement, and their offset.
     pub scene: (types::Scene, u32),
     pub surface: wgpu::BindGroup,
@@ -116,7 +117,7 @@ impl Renderer {
     /// If the surface is that of another mesh.
     pub fn attach(&self, mesh: &mut GpuMesh, surface: &Surface) -> Result<(), GpuError> {
         assert_eq!(surface.graph.triangles.len(), mesh.triangle_count() as usize, "a surface of this mesh");
-        mesh.surface = SurfaceBuffers::new(&self.gpu, &self.layouts, &mesh.triangles, Some(surface))?;
+        mesh.attach(&self.gpu, &self.layouts, surface)?;
         self.gpu.check()
     }
 
@@ -196,16 +197,16 @@ impl Renderer {
         if !styled.is_empty() {
             lines.make_pipeline(gpu, into.formats);
         }
-        let corners = mesh.surface.corner_indices().filter(|_| variant.on_patches);
+        let fed = mesh.fed(variant.feed, mapping).ok_or(RenderError::NoSurface(params.method.name()))?;
         Ok(Draw {
             mesh,
-            indices: corners.unwrap_or(&mesh.buffers.index_buffer),
+            fed,
             placed: mesh.placed(gpu, layouts, nth, variant.faces),
             form: params.form,
             pipeline: shading.pipeline(gpu, layouts, &variant, into.formats, culled),
             variant,
             scene: (shared, uniforms.scene(&shared)),
-            surface: mesh.surface.group(gpu, layouts, mapping, nth),
+            surface: mesh.surface.group(gpu, layouts, object.turns(), nth),
             parts,
             lines: styled,
         })

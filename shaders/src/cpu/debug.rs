@@ -4,18 +4,20 @@ use glam::{DVec2, DVec3, DVec4};
 
 use super::builtin::{mix, smoothstep};
 use super::lib::adjacency::contribution;
-use super::lib::barycentric::{corner_weights, place_in_face};
+use super::lib::barycentric::corner_weights;
 use super::lib::colour::{TAU, oklch};
 use super::lib::columns::{column_coordinate, wanted_level};
-use super::lib::directions::{OverlapSlopes, mapped_direction, stripes_direction};
+use super::lib::directions::{OverlapSlopes, direction_across, mapped_direction};
 use super::lib::face_frame::half_angle;
 use super::lib::light::darkness;
 use super::lib::mapping::{footprint, frame_place, map_uv};
 use super::lib::material::{Material, column_tone, reflectance};
 use super::lib::mesh_types::NO_FACE;
 use super::lib::patched::{overlap_of, patched_point};
+use super::lib::striped::Phase;
 use super::lib::strokes::lot;
-use super::lib::surface::{FragmentIn, Point};
+use super::lib::surface::{FragmentIn, Point, surface_point};
+use super::stripes::phases;
 use super::{Bindings, DebugView, Mapping, Quad};
 
 /// Width of isolines.
@@ -145,19 +147,21 @@ pub fn form_shade(point: &Point) -> f64 {
     mix(0.55, 1.0, point.normal.dot(point.view).abs())
 }
 
+/// Directions of the lines along the field.
+pub fn stripes_direction(along: &Phase) -> DVec2 {
+    direction_across(along.slope)
+}
+
 /// Colour of one fragment of a quad, linear light; `place_px` is its middle on the screen.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2, lane: usize, front: bool) -> DVec4 {
-    let points = quad.map(|input| patched_point(b.scene, b.material, input, front));
+    let points = quad.map(|input| patched_point(b.scene, input, front));
     let point = &points[lane];
-    let p = quad.map(|input| frame_place(b.options.form, b.scene, input.p_world));
-    let (dx, dy) = (p.dpdx(lane), p.dpdy(lane));
     let tones = points.map(|point| darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view));
     let d = tones[lane];
-    let slope = tones.dpdx(lane).hypot(tones.dpdy(lane));
-    let place = || place_in_face(&b.mesh, point.face, p[lane], dx, dy);
     let colour = match b.options.debug {
-        DebugView::None => none_colour(),
-        DebugView::Tone => return tone_colour(b.material, d, slope).extend(1.0),
+        DebugView::Tone => {
+            return tone_colour(b.material, d, tones.dpdx(lane).hypot(tones.dpdy(lane))).extend(1.0);
+        }
         DebugView::Level => {
             let tiles_per_px = match b.options.mapping {
                 Mapping::Uv => map_uv(b.material, &points, lane).tiles_per_px,
@@ -169,15 +173,34 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2, lane
             return columns_colour(b.material, column_coordinate(b.options.form, b.material, d)).extend(1.0);
         }
         DebugView::Frames => {
+            let p = quad.map(|input| frame_place(b.options.form, b.scene, input.p_world));
             let uvs = quad.map(|input| input.uv);
-            let uv_steps = [uvs.dpdx(lane), uvs.dpdy(lane)];
             let slopes = OverlapSlopes::of(&quad.map(|input| *overlap_of(input)), lane);
             let overlap = (overlap_of(&quad[lane]), &slopes);
-            direction_colour(mapped_direction(b, point, &place(), overlap, [dx, dy], uv_steps), place_px)
+            let (steps, uv_steps) = ([p.dpdx(lane), p.dpdy(lane)], [uvs.dpdx(lane), uvs.dpdy(lane)]);
+            direction_colour(mapped_direction(b, point, overlap, steps, uv_steps), place_px)
         }
-        DebugView::Stripes => direction_colour(stripes_direction(b, point.face, &place()), place_px),
-        DebugView::Adjacency => adjacency_colour(neighbour_share(b, point.face, p[lane])),
-        DebugView::Triangles => triangle_colour(point.face as u32) * (1.0 - 0.35 * d),
+        DebugView::None | DebugView::Stripes | DebugView::Adjacency | DebugView::Triangles => none_colour(),
     };
     (colour * form_shade(point)).extend(1.0)
+}
+
+/// The same where directions are those of lines.
+pub fn fragment_lines(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2, lane: usize, front: bool) -> DVec4 {
+    let point = surface_point(b.scene, &quad[lane], front);
+    let [along, _] = phases(quad, lane);
+    (direction_colour(stripes_direction(&along), place_px) * form_shade(&point)).extend(1.0)
+}
+
+/// The same where faces are shown.
+pub fn fragment_faces(b: &Bindings<'_>, input: &FragmentIn, front: bool) -> DVec4 {
+    let point = surface_point(b.scene, input, front);
+    let colour = if b.options.debug == DebugView::Triangles {
+        let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
+        triangle_colour(input.face) * (1.0 - 0.35 * d)
+    } else {
+        let p = frame_place(b.options.form, b.scene, point.p_world);
+        adjacency_colour(neighbour_share(b, input.face as usize, p))
+    };
+    (colour * form_shade(&point)).extend(1.0)
 }

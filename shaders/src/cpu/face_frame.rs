@@ -31,9 +31,9 @@ pub fn face_ink(b: &Bindings<'_>, point: &Point, p: DVec3, face: usize, front: b
 /// Colour of a fragment, linear light.
 pub fn fragment(b: &Bindings<'_>, input: &FragmentIn, front: bool) -> DVec4 {
     let form = b.options.form;
-    let point = surface_point(b.scene, b.material, input, front);
+    let point = surface_point(b.scene, input, front);
     let p = frame_place(form, b.scene, point.p_world);
-    let face = point.face;
+    let face = input.face as usize;
     let level = map_level(b.material, footprint(form, b.scene, b.material, &point));
     let own = b.mesh.face_normals[face];
     let plane = |k: usize| b.mesh.face_planes[2 * face + k].truncate().dot(p) + b.mesh.face_planes[2 * face + k].w;

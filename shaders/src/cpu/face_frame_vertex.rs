@@ -7,10 +7,11 @@ use super::builtin::inverse_sqrt;
 use super::lib::adjacency::contributed_ink;
 use super::lib::columns::map_level;
 use super::lib::face_frame::{frame_hardened, pack_shares, unpack_shares};
+use super::lib::faced::{face_of, pulled_vertex};
 use super::lib::mapping::{footprint, frame_patterns, frame_st};
 use super::lib::mesh_types::{NO_FACE, NO_NORMAL};
 use super::lib::octahedral::{oct_decode, oct_encode};
-use super::lib::surface::{Point, drawn};
+use super::lib::surface::{Point, VertexOut, drawn, surface_vertex};
 use super::{Bindings, Frames};
 
 /// What the vertex stage hands on.
@@ -67,25 +68,17 @@ pub fn hatch(b: &Bindings<'_>, face: usize, p: DVec3) -> Hatch {
 
 /// A corner of a face on its way to the screen: three vertices per face, counted from the first face of the draw.
 pub fn vertex(b: &Bindings<'_>, index: u32) -> HatchOut {
-    let face = (index / 3 + b.material.first_face) as usize;
-    let corner = index as usize % 3;
-    let vertex = b.mesh.vertices[b.mesh.indices[3 * face + corner] as usize];
-    let p = b.scene.world_from_mesh * vertex.position.extend(1.0);
-    let own = hatch(b, face, p.truncate());
-    let mut out = HatchOut {
-        clip: b.scene.clip_from_world * p,
-        p_world: p.truncate(),
-        normal: (b.scene.world_from_mesh_normal * oct_decode(vertex.normal_oct).extend(0.0)).truncate(),
-        contributions: [-1.0; 3],
-        ..HatchOut::default()
-    };
+    let (face, corner) = (face_of(b.material, index) as usize, index as usize % 3);
+    let VertexOut { clip, p_world, normal, .. } = surface_vertex(b.scene, &pulled_vertex(b, index), DVec2::ZERO);
+    let own = hatch(b, face, p_world);
+    let mut out = HatchOut { clip, p_world, normal, contributions: [-1.0; 3], ..HatchOut::default() };
     (out.st[0], out.normals_oct[0], out.shares[0]) = (own.st, own.normal_oct, own.shares);
     for k in 0..3 {
         let other = b.mesh.neighbours[3 * face + k];
         if other == NO_FACE {
             continue;
         }
-        let theirs = hatch(b, other as usize, p.truncate());
+        let theirs = hatch(b, other as usize, p_world);
         (out.st[k + 1], out.normals_oct[k + 1], out.shares[k + 1]) = (theirs.st, theirs.normal_oct, theirs.shares);
         if corner != (k + 2) % 3 && own.normal_oct != NO_NORMAL && theirs.normal_oct != NO_NORMAL {
             out.contributions[k] = oct_decode(own.normal_oct).dot(oct_decode(theirs.normal_oct));
@@ -110,7 +103,6 @@ pub fn fragment(b: &Bindings<'_>, input: &HatchOut, front: bool) -> DVec4 {
         view: to_camera.normalize(),
         depth: -to_camera.dot(b.scene.camera_forward),
         uv: DVec2::ZERO,
-        face: 0,
         framing: [0; 2],
     };
     let hatch = |i: usize| Hatch { st: input.st[i], normal_oct: input.normals_oct[i], shares: input.shares[i] };

@@ -20,7 +20,7 @@ pub fn pattern_ink(b: &Bindings<'_>, uv: DVec2, tiles_per_px: f64, d: f64) -> f6
 
 /// Colour of one fragment of a quad, linear light.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: bool) -> DVec4 {
-    let points = quad.map(|input| patched_point(b.scene, b.material, input, front));
+    let points = quad.map(|input| patched_point(b.scene, input, front));
     let point = &points[lane];
     let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
     let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);

@@ -29,10 +29,9 @@ pub use lib::octahedral;
 pub use options::{Blend, DebugView, Follow, Form, Frames, Mapping, Options, PatternKind};
 pub use quad::Quad;
 
-use glam::DVec2;
+use glam::{DVec2, DVec4};
 
-use crate::types::StripePhases;
-use lib::{material::Material, mesh::Mesh, patches::PatchTable, scene::Scene};
+use lib::{material::Material, mesh::Mesh, scene::Scene};
 
 /// All that a drawing pass is bound to.
 #[derive(Clone, Copy, Debug)]
@@ -50,17 +49,7 @@ pub struct Bindings<'a> {
     /// Group 2, binding 3: rows of the distribution table, [`lib::threshold::ROWS_PER_LEVEL`] from each level to the
     /// next: shares and their rates; may be empty where the material's `distribution_entries` is 0.
     pub distribution: &'a [Vec<DVec2>],
-    /// Group 3, bindings 0 and 1; empty where the mapping is of another kind.
-    pub patches: PatchTable<'a>,
-    /// Group 3, bindings 4 and 5; empty where the pass draws no stripes.
-    pub stripes: StripeTable<'a>,
-}
-
-/// Phases of the line fields, one per face.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct StripeTable<'a> {
-    /// Lines along the direction field.
-    pub along: &'a [StripePhases],
-    /// Lines across it.
-    pub across: &'a [StripePhases],
+    /// Group 3, binding 2: [`lib::patches::TURNS`] per seed: its place on the tile, angle, share; empty where patches lie
+    /// still.
+    pub turns: &'a [DVec4],
 }

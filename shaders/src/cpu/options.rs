@@ -110,15 +110,13 @@ pub struct Options {
     pub frames: Frames,
     /// What patches follow.
     pub follow: Follow,
-    /// Whether stripes are made of strokes: `VARIED` of `stripes.wgsl`.
-    pub varied: bool,
     /// What is shown in the ink's place.
     pub debug: DebugView,
 }
 
 impl Options {
     /// Name and number of each constant, as WGSL knows them; a pass has some of them only.
-    pub fn constants(self) -> [(&'static str, f64); 8] {
+    pub fn constants(self) -> [(&'static str, f64); 7] {
         [
             ("FORM", f64::from(self.form as u32)),
             ("MAPPING", f64::from(self.mapping as u32)),
@@ -126,7 +124,6 @@ impl Options {
             ("PATTERN", f64::from(self.pattern as u32)),
             ("FRAMES", f64::from(self.frames as u32)),
             ("FOLLOW", f64::from(self.follow as u32)),
-            ("VARIED", f64::from(u32::from(self.varied))),
             ("DEBUG", f64::from(self.debug as u32)),
         ]
     }

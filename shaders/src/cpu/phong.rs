@@ -10,7 +10,7 @@ use super::lib::surface::{FragmentIn, drawn, surface_point};
 
 /// Colour of a fragment, linear light.
 pub fn fragment(b: &Bindings<'_>, input: &FragmentIn, front: bool) -> DVec4 {
-    let point = surface_point(b.scene, b.material, input, front);
+    let point = surface_point(b.scene, input, front);
     let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
     drawn(b.scene, b.material, d)
 }

@@ -8,7 +8,7 @@ use super::lib::columns::{column_coordinate, map_level};
 use super::lib::light::darkness;
 use super::lib::mapping::{map_surface, pattern_count};
 use super::lib::material::{Material, column_tone, reflectance};
-use super::lib::patched::{overlap_of, patched_point, patched_vertex};
+use super::lib::patched::{overlap_of, patched_point};
 use super::lib::patches::Overlap;
 use super::lib::surface::{FragmentIn, VertexOut, drawn};
 use super::{Bindings, MapImage, Mapping, Quad};
@@ -35,13 +35,17 @@ pub fn six_ink(map: &MapImage, uv: DVec2, level: f64, weights: &Weights) -> f64 
     light.dot(weights.light) + dark.dot(weights.dark)
 }
 
-/// A vertex on its way to the screen, with the weights of its tone.
-pub fn vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap, Weights) {
-    let (surface, overlap) = patched_vertex(b, index);
+/// Weights of the tone at a vertex.
+pub fn vertex_weights(b: &Bindings<'_>, surface: &VertexOut) -> Weights {
     let n = surface.normal.normalize();
     let v = b.scene.to_camera(surface.p_world).normalize();
     let d = darkness(b.scene, reflectance(b.material), surface.p_world, n, v);
-    (surface, overlap, column_weights(column_coordinate(b.options.form, b.material, d)))
+    column_weights(column_coordinate(b.options.form, b.material, d))
+}
+
+/// A vertex with the weights of its tone.
+pub fn weighted(b: &Bindings<'_>, surface: VertexOut, overlap: Overlap) -> (VertexOut, Overlap, Weights) {
+    (surface, overlap, vertex_weights(b, &surface))
 }
 
 /// The tone that interpolated weights stand for.
@@ -58,7 +62,7 @@ pub fn pattern_ink(b: &Bindings<'_>, uv: DVec2, tiles_per_px: f64, d: f64) -> f6
 
 /// Colour of one fragment of a quad, linear light; `weights` are interpolated.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, lane: usize, front: bool) -> DVec4 {
-    let points = quad.map(|input| patched_point(b.scene, b.material, input, front));
+    let points = quad.map(|input| patched_point(b.scene, input, front));
     if matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
         let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
         let ink = surface_ink(

@@ -50,7 +50,7 @@ pub fn pattern_ink(b: &Bindings<'_>, at: &Quad<Sampled>, lane: usize, d: f64) ->
 
 /// Colour of one fragment of a quad, linear light.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: bool) -> DVec4 {
-    let points = quad.map(|input| patched_point(b.scene, b.material, input, front));
+    let points = quad.map(|input| patched_point(b.scene, input, front));
     let point = &points[lane];
     let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
     let of_pattern = |mapped: &Quad<Mapped>, i: usize, d| {

@@ -73,19 +73,20 @@ fn patches_ink(overlap: Overlap, scale: Scale, d: f32) -> f32 {
     return select(1.0 - a * b * c * e, a + b + c + e, BLEND == BLEND_LINEAR);
 }
 
-// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha.
-fn lapped_ink(face: u32, corners: vec3f, scale: Scale, d: f32) -> f32 {
-    let first = patch_starts[face];
-    let count = min(patch_starts[face + 1u] - first, MAX_PATCHES);
-    var ink = 0.0;
-    for (var i = 0u; i < count; i++) {
-        let entry = patch_entries[first + i];
-        let alpha = clamp(dot(unpack_tens(entry.shares), corners), 0.0, 1.0);
-        if alpha > 0.0 {
-            ink = mix(ink, pattern_ink(tile_uv(patch_place(entry.places, corners)), scale, d), alpha);
-        }
+// One lapped texture painted over what lies under it.
+fn painted_ink(under: f32, place: vec2f, alpha: f32, scale: Scale, d: f32) -> f32 {
+    if alpha <= 0.0 {
+        return under;
     }
-    return ink;
+    return mix(under, pattern_ink(tile_uv(place), scale, d), min(alpha, 1.0));
+}
+
+// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha.
+fn lapped_ink(overlap: Overlap, scale: Scale, d: f32) -> f32 {
+    var ink = painted_ink(0.0, overlap.places_ab.xy, overlap.behind.x, scale, d);
+    ink = painted_ink(ink, overlap.places_ab.zw, overlap.behind.y, scale, d);
+    ink = painted_ink(ink, overlap.places_cd.xy, overlap.behind.z, scale, d);
+    return painted_ink(ink, overlap.places_cd.zw, overlap.behind.w, scale, d);
 }
 
 fn surface_ink(point: Point, overlap: Overlap, d: f32) -> f32 {
@@ -93,8 +94,7 @@ fn surface_ink(point: Point, overlap: Overlap, d: f32) -> f32 {
         return patches_ink(overlap, map_scale(mean_footprint(point)), d);
     }
     if MAPPING == MAPPING_LAPPED {
-        let corners = corner_weights(point.face, frame_place(point.p_world));
-        return lapped_ink(point.face, corners, map_scale(mean_footprint(point)), d);
+        return lapped_ink(overlap, map_scale(mean_footprint(point)), d);
     }
     return blended_ink(map_surface(point), d);
 }

@@ -4,7 +4,6 @@
 // is none. Knöppel and others, "Globally optimal direction fields", 2013, section 2, for n = 2.
 //!include lib/mapping.wgsl
 //!include lib/patches.wgsl
-//!include lib/stripes.wgsl
 
 // Shorter gradients, in tiles or lines per pixel, have none.
 const LEAST_GRADIENT: f32 = 1e-9;
@@ -78,28 +77,21 @@ fn patches_direction(overlap: Overlap, slopes: OverlapSlopes) -> vec2f {
         + patch_direction(slopes.cd_dx.zw, slopes.cd_dy.zw, seeds.w, weights.w);
 }
 
-fn lapped_direction(face: u32, place: Place) -> vec2f {
-    let first = patch_starts[face];
-    let count = min(patch_starts[face + 1u] - first, MAX_PATCHES);
-    var direction = vec2f(0.0);
-    for (var i = 0u; i < count; i++) {
-        let entry = patch_entries[first + i];
-        let alpha = clamp(dot(unpack_tens(entry.shares), place.weights), 0.0, 1.0);
-        let own = pattern_direction(patch_place(entry.places, place.dx), patch_place(entry.places, place.dy));
-        direction = mix(direction, own, alpha);
-    }
-    return direction;
+// Of one lapped texture over the direction of what lies under it.
+fn painted_direction(under: vec2f, st_dx: vec2f, st_dy: vec2f, alpha: f32) -> vec2f {
+    return mix(under, pattern_direction(st_dx, st_dy), clamp(alpha, 0.0, 1.0));
 }
 
-fn stripes_direction(face: u32, place: Place) -> vec2f {
-    let s = stripes_along[face];
-    return direction_across(vec2f(stripe_slope(s, place.weights, place.dx), stripe_slope(s, place.weights, place.dy)));
+fn lapped_direction(overlap: Overlap, slopes: OverlapSlopes) -> vec2f {
+    var direction = painted_direction(vec2f(0.0), slopes.ab_dx.xy, slopes.ab_dy.xy, overlap.behind.x);
+    direction = painted_direction(direction, slopes.ab_dx.zw, slopes.ab_dy.zw, overlap.behind.y);
+    direction = painted_direction(direction, slopes.cd_dx.xy, slopes.cd_dy.xy, overlap.behind.z);
+    return painted_direction(direction, slopes.cd_dx.zw, slopes.cd_dy.zw, overlap.behind.w);
 }
 
 // Of the mapping; `uv_dx` and `uv_dy` are changes of the point's uv.
 fn mapped_direction(
     point: Point,
-    place: Place,
     overlap: Overlap,
     slopes: OverlapSlopes,
     dx: vec3f,
@@ -117,7 +109,7 @@ fn mapped_direction(
         return patches_direction(overlap, slopes);
     }
     if MAPPING == MAPPING_LAPPED {
-        return lapped_direction(point.face, place);
+        return lapped_direction(overlap, slopes);
     }
     return pattern_direction(uv_dx, uv_dy);
 }

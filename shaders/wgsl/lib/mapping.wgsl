@@ -1,6 +1,7 @@
 // How the tile reaches the surface: the mesh's own uv, the light-aligned frame of the face, or three planes.
 // Each gives up to three patterns with weights that sum to 1, and the footprint of a pixel.
 //!include lib/form.wgsl
+//!include lib/mesh_types.wgsl
 //!include lib/surface.wgsl
 //!include lib/face_frame.wgsl
 

@@ -1,8 +1,35 @@
-// The vertex stage of methods that draw with all mappings: where they draw on patches, an index names a corner, with what
-// it sees of them; where they draw by frames, it counts three vertices to a face; else it names a vertex.
-//!include lib/surface.wgsl
+// The vertex stages of methods that draw with all mappings, by what their vertices carry: nothing, the mesh's own uv,
+// what corners of triangles see of patches, or the frames of faces.
+//!include lib/faced.wgsl
 //!include lib/mapping.wgsl
 //!include lib/patches.wgsl
+
+struct UvIn {
+    @location(0) position: vec3f,
+    @location(1) normal_oct: u32,
+    @location(2) uv: vec2f,
+}
+
+// A corner of a triangle. All corners of one have the same patches in the same order.
+struct CornerIn {
+    @location(0) position: vec3f,
+    @location(1) normal_oct: u32,
+    // Places on the tile of two patches each, in units of PLACE_RANGE tiles.
+    @location(3) places_ab: vec4f,
+    @location(4) places_cd: vec4f,
+    // Distances behind the nearest patch, in units of BEHIND_RANGE feathers; of lapped textures the alpha.
+    @location(5) behind: vec4f,
+}
+
+// The same of patches that turn with the light.
+struct TurningIn {
+    @location(0) position: vec3f,
+    @location(1) normal_oct: u32,
+    @location(3) places_ab: vec4f,
+    @location(4) places_cd: vec4f,
+    @location(5) behind: vec4f,
+    @location(6) seeds: vec4u,
+}
 
 // Where strokes lie by frames, the first two seeds are shares and normal of the face's.
 struct PatchedOut {
@@ -10,53 +37,63 @@ struct PatchedOut {
     @location(0) p_world: vec3f,
     @location(1) normal: vec3f,
     @location(2) uv: vec2f,
-//!if flat_face
-    @location(3) @interpolate(flat, first) face: u32,
-//!end
     @location(6) places_ab: vec4f,
     @location(7) places_cd: vec4f,
     @location(8) behind: vec4f,
-    @location(9) @interpolate(flat, first) seeds: vec4u,
+    @location(9) @interpolate(flat, either) seeds: vec4u,
 }
 
 struct PatchedIn {
     @location(6) places_ab: vec4f,
     @location(7) places_cd: vec4f,
     @location(8) behind: vec4f,
-    @location(9) @interpolate(flat, first) seeds: vec4u,
+    @location(9) @interpolate(flat, either) seeds: vec4u,
 }
 
-fn patched_vertex(index: u32) -> PatchedOut {
-    var surface: VertexOut;
-    var overlap: Overlap;
-    if MAPPING == MAPPING_PATCHES {
-        surface = mesh_vertex(corner_vertex(index));
-        overlap = corner_overlap(index);
-    } else if MAPPING == MAPPING_FRAMES {
-        let face = index / 3u + material.first_face;
-        let frame = face_frames[face];
-        surface = mesh_vertex(indices[index + 3u * material.first_face]);
-        surface.uv = frame_st(frame, frame_place(surface.p_world));
-//!if flat_face
-        surface.face = face;
-//!end
-        overlap.seeds = vec4u(frame.shares, frame.normal_oct, NO_SEED, NO_SEED);
-    } else {
-        surface = surface_vertex(index);
-    }
-    var out: PatchedOut;
-    out.clip = surface.clip;
-    out.p_world = surface.p_world;
-    out.normal = surface.normal;
-    out.uv = surface.uv;
-//!if flat_face
-    out.face = surface.face;
-//!end
-    out.places_ab = overlap.places_ab;
-    out.places_cd = overlap.places_cd;
-    out.behind = overlap.behind;
-    out.seeds = overlap.seeds;
-    return out;
+fn patched(surface: VertexOut, overlap: Overlap) -> PatchedOut {
+    return PatchedOut(
+        surface.clip,
+        surface.p_world,
+        surface.normal,
+        surface.uv,
+        overlap.places_ab,
+        overlap.places_cd,
+        overlap.behind,
+        overlap.seeds,
+    );
+}
+
+// What a vertex sees that sees no patches.
+fn no_overlap() -> Overlap {
+    return Overlap(vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4u(NO_SEED));
+}
+
+fn patched_vertex(in: VertexIn) -> PatchedOut {
+    return patched(surface_vertex(in, vec2f(0.0)), no_overlap());
+}
+
+fn patched_uv(in: UvIn) -> PatchedOut {
+    return patched(surface_vertex(VertexIn(in.position, in.normal_oct), in.uv), no_overlap());
+}
+
+fn patched_corner(in: CornerIn) -> PatchedOut {
+    let overlap = carried_overlap(in.places_ab, in.places_cd, in.behind, vec4u(NO_SEED));
+    return patched(surface_vertex(VertexIn(in.position, in.normal_oct), vec2f(0.0)), overlap);
+}
+
+fn patched_turning(in: TurningIn) -> PatchedOut {
+    let overlap = carried_overlap(in.places_ab, in.places_cd, in.behind, in.seeds);
+    return patched(surface_vertex(VertexIn(in.position, in.normal_oct), vec2f(0.0)), overlap);
+}
+
+// Three vertices to a face, counted from the first face of the draw.
+fn patched_face(index: u32) -> PatchedOut {
+    let frame = face_frames[face_of(index)];
+    var surface = surface_vertex(pulled_vertex(index), vec2f(0.0));
+    surface.uv = frame_st(frame, frame_place(surface.p_world));
+    var overlap = no_overlap();
+    overlap.seeds = vec4u(frame.shares, frame.normal_oct, NO_SEED, NO_SEED);
+    return patched(surface, overlap);
 }
 
 fn patched_point(in: FragmentIn, patched: PatchedIn, front: bool) -> Point {

@@ -2,102 +2,37 @@
 // phase inside a triangle. It counts lines and is whole in the middle of each.
 //!include lib/halftone.wgsl
 
-struct StripePhases {
-    corners: vec3f,
-    // Low bit: 0 where the phase winds around the middle, 1 where it folds. Above: how often, or around what.
-    code: i32,
-}
-
-@group(3) @binding(4) var<storage, read> stripes_along: array<StripePhases>;
-@group(3) @binding(5) var<storage, read> stripes_across: array<StripePhases>;
-
 // Lines closer than this many to the pixel turn grey, from the first to the second.
 const FADE_FROM: f32 = 0.35;
 const FADE_TO: f32 = 0.5;
 
-// A triangle falls into three between its middle and its sides; this is the side of the fragment's, from corner k to
-// the next.
-fn nearest_side(w: vec3f) -> u32 {
-    if w.z <= w.x && w.z <= w.y {
-        return 0u;
-    }
-    return select(2u, 1u, w.x <= w.y);
-}
-
-// Corners between which the phase is linear where the fragment is. Beyond the fold they count the other way.
-fn unfolded_corners(s: StripePhases, w: vec3f) -> vec3f {
-    if (s.code & 1) == 0 {
-        return s.corners;
-    }
-    let sum = f32(s.code >> 1u);
-    // Three times the phase of the middle.
-    let middle = 1.5 * sum;
-    let side = nearest_side(w);
-    if side == 0u {
-        return vec3f(s.corners.xy, middle - s.corners.x - s.corners.y);
-    }
-    if side == 1u {
-        return vec3f(middle - s.corners.y - s.corners.z, s.corners.yz);
-    }
-    let first = sum - s.corners.x;
-    return vec3f(first, middle - first - s.corners.z, s.corners.z);
-}
-
-// How often the phase winds around the middle.
-fn windings(s: StripePhases) -> f32 {
-    return select(0.0, f32(s.code >> 1u), (s.code & 1) == 0);
-}
-
-// Weights of the side's two corners, without what the middle has of them.
-fn side_weights(w: vec3f) -> vec2f {
-    let side = nearest_side(w);
-    if side == 0u {
-        return vec2f(w.x - w.z, w.y - w.z);
-    }
-    if side == 1u {
-        return vec2f(w.y - w.x, w.z - w.x);
-    }
-    return vec2f(w.z - w.y, w.x - w.y);
-}
-
-// The share of the way round from corner 0, linear along the sides.
-fn round_share(w: vec3f) -> f32 {
-    let ends = side_weights(w);
-    return (f32(nearest_side(w)) + ends.y / max(ends.x + ends.y, 1e-6)) / 3.0;
+// Where lines end in a triangle, the phase winds around its middle, and the triangle is drawn in three, between the middle
+// and its sides. `ends` are the weights of a side's two corners: the share of the way round from the first to the second,
+// linear along the side.
+fn round_share(ends: vec2f) -> f32 {
+    return ends.y / (3.0 * max(ends.x + ends.y, 1e-6));
 }
 
 // Its change with the weights.
-fn round_slope(w: vec3f, dw: vec3f) -> f32 {
-    let side = nearest_side(w);
-    let ends = side_weights(w);
-    var d = vec2f(dw.x - dw.z, dw.y - dw.z);
-    if side == 1u {
-        d = vec2f(dw.y - dw.x, dw.z - dw.x);
-    }
-    if side == 2u {
-        d = vec2f(dw.z - dw.y, dw.x - dw.y);
-    }
+fn round_slope(ends: vec2f, change: vec2f) -> f32 {
     let sum = max(ends.x + ends.y, 1e-3);
-    return (ends.x * d.y - ends.y * d.x) / (3.0 * sum * sum);
+    return (ends.x * change.y - ends.y * change.x) / (3.0 * sum * sum);
 }
 
-fn stripe_phase(s: StripePhases, w: vec3f) -> f32 {
-    let turns = windings(s);
-    let linear = dot(unfolded_corners(s, w), w);
+// The phase that is `phase` but for its winding, which goes round so many times.
+fn wound_phase(phase: f32, ends: vec2f, turns: f32) -> f32 {
     if turns == 0.0 {
-        return linear;
+        return phase;
     }
-    return linear + turns * round_share(w);
+    return phase + turns * round_share(ends);
 }
 
-// Change of the phase where the weights change by dw.
-fn stripe_slope(s: StripePhases, w: vec3f, dw: vec3f) -> f32 {
-    let turns = windings(s);
-    let linear = dot(unfolded_corners(s, w), dw);
+// Its change, likewise.
+fn wound_slope(slope: f32, ends: vec2f, change: vec2f, turns: f32) -> f32 {
     if turns == 0.0 {
-        return linear;
+        return slope;
     }
-    return linear + turns * round_slope(w, dw);
+    return slope + turns * round_slope(ends, change);
 }
 
 // Lines at the phase, doubled until they stand between line_period_px and twice that on the screen, but never halved:

@@ -105,43 +105,56 @@ fn stroke_ink(stroke: Stroke, x: f32, strip: f32, k: f32, d: f32, variety: f32) 
     return line_coverage(abs(x - shift), own * strip, k);
 }
 
-// Sign and number that make a row of an entry's patch out of a phase; field 0 along, 1 across.
-fn entry_row(entry: u32, field: u32) -> vec2i {
-    let code = patch_starts[arrayLength(&patch_starts) - 2u * arrayLength(&patch_entries) + entry];
+// Sign and number that make a row of a patch out of a phase, from what a corner carries of it; field 0 along, 1 across.
+fn patch_row(code: u32, field: u32) -> vec2i {
     let half = i32(code << (16u - 16u * field)) >> 16u;
     return vec2i(1 - 2 * (half & 1), half >> 1u);
 }
 
-// The stroke of a line at a fragment. `row` counts from the face's own phase 0, after `octave` doublings.
-fn patched_stroke(patches: Patches, field: u32, row: i32, octave: u32, variety: f32) -> Stroke {
-    let tiles = length(material.tile_from_surface.xy);
-    var stroke = Stroke(0.0, 0.0);
-    var total = 0.0;
-    for (var i = 0u; i < patches.count; i++) {
-        let weight = patch_weight(patches, i);
-        if weight == 0.0 {
-            continue;
-        }
-        let entry = patches.first + i;
-        let seed = entry_seed(entry);
-        if seed == NO_SEED {
-            // A face alone has no rows.
-            total += 0.25 * weight * weight;
-            continue;
-        }
-        let code = entry_row(entry, field);
-        let own_row = code.x * row + (code.y << octave);
-        let born = row_octave(own_row, octave);
-        let line = own_row >> (octave - born);
-        let key = row_key(2u * seed + field, line, born);
-        let along = tiles * patch_place(patch_entries[entry].places, patches.corners)[field];
-        // Patches pass into each other line by line, each at another place.
-        let pull = weight * (0.1 + 0.9 * lot(key, 2u));
-        let share = pull * pull;
-        let own = stroke_at(key, line, born, along, variety);
-        stroke.swell += share * own.swell;
-        stroke.waver += weight * f32(code.x) * own.waver;
-        total += share;
+// What one patch gives to the stroke of a line: swell and waver by its weight, and the weight of the swell. `along` is its
+// place, in tiles; `row` counts from the triangle's own phase 0, after `octave` doublings.
+fn patch_stroke(
+    weight: f32,
+    seed: u32,
+    code: u32,
+    along: f32,
+    field: u32,
+    row: i32,
+    octave: u32,
+    variety: f32,
+) -> vec3f {
+    if weight == 0.0 {
+        return vec3f(0.0);
     }
-    return Stroke(stroke.swell / max(total, 1e-12), stroke.waver);
+    if seed == NO_SEED {
+        // A face alone has no rows.
+        return vec3f(0.0, 0.0, 0.25 * weight * weight);
+    }
+    let own = patch_row(code, field);
+    let own_row = own.x * row + (own.y << octave);
+    let born = row_octave(own_row, octave);
+    let line = own_row >> (octave - born);
+    let key = row_key(2u * seed + field, line, born);
+    // Patches pass into each other line by line, each at another place.
+    let pull = weight * (0.1 + 0.9 * lot(key, 2u));
+    let share = pull * pull;
+    let stroke = stroke_at(key, line, born, along, variety);
+    return vec3f(share * stroke.swell, weight * f32(own.x) * stroke.waver, share);
+}
+
+// The stroke of a line at a fragment.
+fn patched_stroke(overlap: Overlap, rows: vec4u, field: u32, row: i32, octave: u32, variety: f32) -> Stroke {
+    let tiles = length(material.tile_from_surface.xy);
+    let weights = overlap_weights(overlap.behind);
+    let seeds = overlap.seeds;
+    let along = tiles * select(
+        vec4f(overlap.places_ab.xz, overlap.places_cd.xz),
+        vec4f(overlap.places_ab.yw, overlap.places_cd.yw),
+        field == 1u,
+    );
+    let sum = patch_stroke(weights.x, seeds.x, rows.x, along.x, field, row, octave, variety)
+        + patch_stroke(weights.y, seeds.y, rows.y, along.y, field, row, octave, variety)
+        + patch_stroke(weights.z, seeds.z, rows.z, along.z, field, row, octave, variety)
+        + patch_stroke(weights.w, seeds.w, rows.w, along.w, field, row, octave, variety);
+    return Stroke(sum.x / max(sum.z, 1e-12), sum.y);
 }

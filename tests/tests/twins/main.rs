@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use glam::DVec4;
 use tam_shaders::cpu::lib::mesh_types::FaceFrame;
 use tam_shaders::cpu::{Form, Options, face_frames, face_geometry, line_edges};
-use tam_shaders::{Capabilities, Pass, compose};
+use tam_shaders::{Feed, Pass, compose};
 
 use gpu::Gpu;
 use row::Row;
@@ -47,10 +47,12 @@ fn a_wrong_twin_is_noticed() {
 fn every_shader_function_has_a_row() {
     let mut functions = BTreeSet::new();
     for pass in Pass::ALL {
-        let source = compose(pass, Capabilities::default());
+        let source = compose(pass);
         let names = source.lines().filter_map(|line| line.strip_prefix("fn ")?.split('(').next());
-        let entry_points = ["vertex", "fragment", "main", "mark", "sum", "list"];
-        functions.extend(names.filter(|name| !entry_points.contains(name)).map(str::to_owned));
+        let others =
+            ["fragment", "fragment_lines", "fragment_strokes", "fragment_faces", "main", "mark", "sum", "list"];
+        let is_entry = |name: &str| others.contains(&name) || Feed::ALL.iter().any(|feed| feed.vertex_entry() == name);
+        functions.extend(names.filter(|name| !is_entry(name)).map(str::to_owned));
     }
     let rows: BTreeSet<String> = tables::all().iter().map(|row| row.name.to_owned()).collect();
     assert_eq!(functions.difference(&rows).collect::<Vec<_>>(), Vec::<&String>::new(), "functions without a row");
@@ -78,7 +80,7 @@ fn face_passes_fill_the_buffers_that_their_twins_fill() {
         let buffer = |name| uploaded.buffer(name).expect("it was uploaded");
         let (normals, planes, frames) = (buffer("face_normals"), buffer("face_planes"), buffer("face_frames"));
 
-        let source = compose(Pass::FaceGeometry, Capabilities::default());
+        let source = compose(Pass::FaceGeometry);
         let resource = |name: &str| uploaded.resource(name);
         let [found_normals, found_planes] =
             gpu.compute::<[f32; 4], 2>((&source, "main"), options, groups, &resource, [normals, planes]);
@@ -96,7 +98,7 @@ fn face_passes_fill_the_buffers_that_their_twins_fill() {
         let error = worst(&found_planes[..2 * whole], &twin_planes[..2 * whole]) / scale;
         assert!(error < 1e-5, "planes, {form:?}: {error} of the greatest");
 
-        let source = compose(Pass::FaceFrames, Capabilities::default());
+        let source = compose(Pass::FaceFrames);
         let [found] = gpu.compute::<[f32; 4], 1>((&source, "main"), options, groups, &resource, [frames]);
         let mut twin_frames = vec![FaceFrame::default(); FACES];
         face_frames::main(form, b.scene, vertices, indices, &twin_normals, &mut twin_frames);
@@ -123,7 +125,7 @@ const MANY_EDGES: usize = 2 * line_edges::SUMMING_LANES * line_edges::BLOCK_EDGE
 #[test]
 fn edges_that_are_lines_are_listed_as_their_twins_list_them() {
     let gpu = Gpu::new();
-    let source = compose(Pass::LineEdges, Capabilities::default());
+    let source = compose(Pass::LineEdges);
     let mut listed_somewhere = false;
     for setting in Setting::all() {
         let options = Options::default();

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec4;
 use tam_shaders::cpu::{Bindings, Form, Options, Quad};
-use tam_shaders::{Capabilities, Pass, compose};
+use tam_shaders::{Pass, compose};
 
 use crate::draw::{Case, Draw};
 use crate::gpu::{CASES, Gpu, SIDE};
@@ -159,11 +159,13 @@ impl Row {
     }
 
     fn source(&self) -> String {
-        let pass = compose(self.pass, Capabilities::default());
+        let pass = compose(self.pass);
         let call = self.call;
         let with = |name: &str, helper: &'static str| if pass.contains(name) { helper } else { "" };
         let helper = format!("{}{}", with("struct Point {", POINT), with("struct Pattern {", PATTERN));
-        let helper = helper + with("struct StripePhases {", STRIPE) + with("struct Stroke {", STROKE);
+        let framed = if pass.contains("struct Point {") { with("> face_frames: ", FRAMED) } else { "" };
+        let helper = helper + framed;
+        let helper = helper + with("struct Overlap {", OVERLAP) + with("struct Stroke {", STROKE);
         format!(
             "{pass}{HARNESS}{helper}@fragment\nfn harness(@builtin(position) place: vec4f) -> @location(0) vec4f {{\n\
             let at = u32(place.y) * {SIDE}u + u32(place.x);\n\
@@ -185,15 +187,33 @@ fn harness_vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
 /// A surface point of a case; see [`crate::tables::point`].
 const POINT: &str = "
 fn case_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
-    let frame = face_frames[u32(d.z)];
-    return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, u32(d.z), vec2u(frame.shares, frame.normal_oct));
+    return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, vec2u(0u));
 }
 ";
 
-/// Phases of a case.
-const STRIPE: &str = "
-fn stripe(d: vec4f) -> StripePhases {
-    return StripePhases(d.xyz, i32(d.w));
+/// The same with the frame of its face; see [`crate::tables::framed_point`].
+const FRAMED: &str = "
+fn framed_point(a: vec4f, b: vec4f, c: vec4f, d: vec4f) -> Point {
+    let frame = face_frames[u32(d.z)];
+    return Point(a.xyz, b.xyz, c.xyz, a.w, d.xy, vec2u(frame.shares, frame.normal_oct));
+}
+";
+
+/// What a corner carries; see [`crate::setting::Corner`].
+const OVERLAP: &str = "
+@group(3) @binding(21) var<storage, read> case_corners: array<vec4u>;
+fn case_overlap(corner: u32) -> Overlap {
+    let places = case_corners[4u * corner];
+    let behind = case_corners[4u * corner + 1u];
+    return carried_overlap(
+        vec4f(unpack2x16snorm(places.x), unpack2x16snorm(places.y)),
+        vec4f(unpack2x16snorm(places.z), unpack2x16snorm(places.w)),
+        vec4f(unpack2x16unorm(behind.x), unpack2x16unorm(behind.y)),
+        case_corners[4u * corner + 2u],
+    );
+}
+fn case_rows(corner: u32) -> vec4u {
+    return case_corners[4u * corner + 3u];
 }
 ";
 

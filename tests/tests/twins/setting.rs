@@ -7,11 +7,11 @@ use tam_shaders::cpu::lib::edges::LineStyle;
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
-use tam_shaders::cpu::lib::patches::{OVERLAPS, PatchTable, TURNS, pack_place, pack_tens};
+use tam_shaders::cpu::lib::patches::{NO_SEED, OVERLAPS, Overlap, TURNS, carried_overlap, fetched, pack_place};
 use tam_shaders::cpu::lib::scene::Scene;
 use tam_shaders::cpu::lib::threshold::ROWS_PER_LEVEL;
-use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options, StripeTable};
-use tam_shaders::types::{self, Edge, NO_FACE, NO_NORMAL};
+use tam_shaders::cpu::{Bindings, MapImage, MapLevel, Options};
+use tam_shaders::types::{self, Edge, NO_FACE, NO_NORMAL, PatchCorner};
 use wgpu::util::DeviceExt;
 
 use crate::draw::{Case, Draw};
@@ -35,18 +35,12 @@ pub(crate) struct Setting {
     pub(crate) material: types::Material,
     pub(crate) style: types::LineStyle,
     pub(crate) vertices: Vec<types::Vertex>,
-    pub(crate) uvs: Vec<[f32; 2]>,
     pub(crate) indices: Vec<u32>,
     pub(crate) neighbours: Vec<u32>,
     pub(crate) edges: Vec<Edge>,
     pub(crate) face_normals: Vec<[f32; 4]>,
     pub(crate) face_planes: Vec<[f32; 4]>,
     pub(crate) face_frames: Vec<types::FaceFrame>,
-    /// Along and across.
-    pub(crate) stripes: [Vec<types::StripePhases>; 2],
-    pub(crate) patch_starts: Vec<u32>,
-    pub(crate) patch_entries: Vec<types::PatchEntry>,
-    pub(crate) patch_corners: Vec<[u32; 4]>,
     pub(crate) seed_turns: Vec<[f32; 4]>,
     pub(crate) map: MapImage,
     pub(crate) distribution: Vec<Vec<[f32; 2]>>,
@@ -59,7 +53,6 @@ pub(crate) struct Twin {
     material: Material,
     pub(crate) style: LineStyle,
     vertices: Vec<Vertex>,
-    uvs: Vec<DVec2>,
     face_normals: Vec<DVec4>,
     face_planes: Vec<DVec4>,
     face_frames: Vec<FaceFrame>,
@@ -137,10 +130,6 @@ impl Setting {
             let draw = draw(i + FACES);
             draw.place_within(1036, 1.0).extend(draw.between(1039, -0.5, 1.0)).as_vec4().into()
         };
-        let stripe = |i: usize| {
-            let corners = [1070, 1071, 1072].map(|slot| draw(i).between(slot, -2.0, 2.0) as f32);
-            types::StripePhases { corners, code: draw(i).pick(1073, 11) as i32 - 5 }
-        };
         let edge = |i: usize| Edge {
             a: draw(i).pick(1050, VERTICES) as u32,
             b: if i == 0 { draw(0).pick(1050, VERTICES) } else { draw(i).pick(1051, VERTICES) } as u32,
@@ -148,19 +137,10 @@ impl Setting {
             right: neighbour(i + 900),
         };
         let vertices: Vec<_> = (0..VERTICES).map(vertex).collect();
-        let uvs: Vec<_> = (0..VERTICES).map(|i| draw(i).tile(1060, 2.0).as_vec2().into()).collect();
         let has_area = |i: usize| if i + 4 > FACES { 0.0 } else { 1.0 };
         let face_normals: Vec<[f32; 4]> = (0..FACES).map(|i| direction(i, 40).extend(has_area(i)).into()).collect();
         let face_planes: Vec<[f32; 4]> = (0..2 * FACES).map(plane).collect();
         let face_frames: Vec<_> = (0..FACES).map(frame).collect();
-        let patch_starts: Vec<u32> = (0..=FACES as u32).map(|face| face * (face + 7) / 16).collect();
-        let entries = patch_starts[FACES] as usize;
-        let rows = (0..entries).map(|i| patch_rows(draw(i)));
-        let patch_starts: Vec<u32> =
-            patch_starts.into_iter().chain(rows).chain((0..entries).map(|i| patch_seed(draw(i)))).collect();
-        let patch_entries = (0..entries).map(|i| patch_entry(draw(i))).collect();
-        let corners = (0..CORNERS).flat_map(|i| patch_corner(draw(i)));
-        let patch_corners = corners.chain((0..SEEDS).map(|i| corner_seeds(draw(i)))).collect();
         let turn = |i: usize| -> [f32; 4] {
             let (uv, draw) = (draw(i).tile(1092, 1.0), draw(i));
             DVec4::new(uv.x, uv.y, draw.between(1094, -3.2, 3.2), draw.between(1095, 0.0, 0.5)).as_vec4().into()
@@ -174,7 +154,6 @@ impl Setting {
             material: (&material).into(),
             style: (&style).into(),
             vertices: vertices.iter().map(Vertex::from).collect(),
-            uvs: uvs.iter().map(pair).collect(),
             face_normals: face_normals.iter().map(|normal| DVec4::from(normal.map(f64::from))).collect(),
             face_planes: face_planes.iter().map(|plane| DVec4::from(plane.map(f64::from))).collect(),
             face_frames: face_frames.iter().map(FaceFrame::from).collect(),
@@ -186,17 +165,12 @@ impl Setting {
             material,
             style,
             vertices,
-            uvs,
             indices: (0..3 * FACES).map(|i| corner(i / 3, i % 3) as u32).collect(),
             neighbours: (0..3 * FACES).map(neighbour).collect(),
             edges: (0..FACES).map(edge).collect(),
             face_normals,
             face_planes,
             face_frames,
-            stripes: [0, FACES].map(|first| (first..first + FACES).map(stripe).collect()),
-            patch_starts,
-            patch_entries,
-            patch_corners,
             seed_turns,
             map,
             distribution,
@@ -211,7 +185,6 @@ impl Setting {
             scene: &self.twin.scene,
             mesh: Mesh {
                 vertices: &self.twin.vertices,
-                uvs: &self.twin.uvs,
                 indices: &self.indices,
                 neighbours: &self.neighbours,
                 face_normals: &self.twin.face_normals,
@@ -221,51 +194,48 @@ impl Setting {
             material: &self.twin.material,
             map: &self.map,
             distribution: &self.twin.distribution,
-            stripes: StripeTable { along: &self.stripes[0], across: &self.stripes[1] },
-            patches: PatchTable {
-                corners: &self.patch_corners,
-                corner_indices: &[],
-                starts: &self.patch_starts,
-                entries: &self.patch_entries,
-                rows: &self.patch_starts[FACES + 1..],
-                seeds: &self.patch_starts[FACES + 1 + self.patch_entries.len()..],
-                turns: &self.twin.seed_turns,
-            },
+            turns: &self.twin.seed_turns,
         }
     }
 }
 
-/// A seed, or none.
-fn patch_seed(draw: Draw) -> u32 {
-    if draw.pick(1090, 8) == 0 { u32::MAX } else { draw.pick(1091, SEEDS) as u32 }
+/// A corner of a triangle, the same in all settings: four patches anywhere on the tile, the last of which may not be there,
+/// which seeds they have, and of each two rows with a sign and a number of up to 100.
+#[derive(Clone, Copy)]
+pub(crate) struct Corner {
+    pub(crate) patches: PatchCorner,
+    pub(crate) seeds: [u32; OVERLAPS],
+    pub(crate) rows: [u32; OVERLAPS],
 }
 
-/// Two rows, each with a sign and a number of up to 100.
-fn patch_rows(draw: Draw) -> u32 {
-    let half = |slot: u64| ((draw.pick(slot, 400) as i32 - 200) & 0xffff) as u32;
-    half(1096) | half(1097) << 16
-}
-
-/// Four patches anywhere on the tile, the last of which may not be there, at a vertex; and which seeds they have.
-fn patch_corner(draw: Draw) -> [[u32; 4]; 2] {
-    let behind = |slot: u64| DVec2::new(0.5 * draw.unit(slot), if draw.pick(slot + 1, 3) == 0 { 1.0 } else { 0.1 });
-    let places = std::array::from_fn::<_, OVERLAPS, _>(|i| pack_place(draw.tile(1100 + 2 * i as u64, 2.0)));
-    let seeds = (2 * CORNERS + draw.pick(1120, SEEDS)) as u32;
-    let vertex = draw.pick(1121, VERTICES) as u32;
-    [places, [pack2x16unorm(behind(1110)), pack2x16unorm(behind(1112)), vertex, seeds]]
-}
-
-fn corner_seeds(draw: Draw) -> [u32; 4] {
-    [1130, 1131, 1132, 1133].map(|slot| if draw.pick(slot, 8) == 0 { u32::MAX } else { draw.pick(slot, SEEDS) as u32 })
-}
-
-/// A patch anywhere on the tile; a third of them the nearest at one corner.
-fn patch_entry(draw: Draw) -> types::PatchEntry {
-    let share = |slot: u64| if draw.pick(slot, 3) == 0 { 0.0 } else { 0.5 * draw.unit(slot + 10) };
-    types::PatchEntry {
-        places: [1070, 1072, 1074].map(|slot| pack_place(draw.tile(slot, 2.0))),
-        shares: pack_tens([1080, 1081, 1082].map(share)),
+impl Corner {
+    pub(crate) fn new(i: usize) -> Self {
+        let draw = Draw::new("corner", 7, i);
+        let behind = |slot: u64| DVec2::new(0.5 * draw.unit(slot), if draw.pick(slot + 1, 3) == 0 { 1.0 } else { 0.1 });
+        let places = std::array::from_fn::<_, OVERLAPS, _>(|i| pack_place(draw.tile(1100 + 2 * i as u64, 2.0)));
+        let seed = |slot| if draw.pick(slot, 8) == 0 { NO_SEED } else { draw.pick(slot + 10, SEEDS) as u32 };
+        let half = |slot| ((draw.pick(slot, 400) as i32 - 200) & 0xffff) as u32;
+        Self {
+            patches: PatchCorner { places, behind: [pack2x16unorm(behind(1110)), pack2x16unorm(behind(1112))] },
+            seeds: [1130, 1131, 1132, 1133].map(seed),
+            rows: [1150, 1152, 1154, 1156].map(|slot| half(slot) | half(slot + 1) << 16),
+        }
     }
+
+    /// What a vertex sees that carries it.
+    pub(crate) fn overlap(&self, options: Options) -> Overlap {
+        let (places, behind) = fetched(&self.patches);
+        carried_overlap(options.mapping, places, behind, self.seeds)
+    }
+}
+
+/// All corners, four vectors each.
+fn corner_words() -> Vec<[u32; 4]> {
+    let words = |i| {
+        let Corner { patches: PatchCorner { places, behind: [ab, cd] }, seeds, rows } = Corner::new(i);
+        [places, [ab, cd, 0, 0], seeds, rows]
+    };
+    (0..CORNERS).flat_map(words).collect()
 }
 
 fn light_direction() -> Vec3 {
@@ -386,19 +356,12 @@ impl Uploaded {
             ("material", buffer(bytemuck::bytes_of(&setting.material), uniform)),
             ("style", buffer(bytemuck::bytes_of(&setting.style), uniform)),
             ("vertices", buffer(bytemuck::cast_slice(&setting.vertices), storage)),
-            ("uvs", buffer(bytemuck::cast_slice(&setting.uvs), storage)),
             ("indices", buffer(bytemuck::cast_slice(&setting.indices), storage)),
             ("neighbours", buffer(bytemuck::cast_slice(&setting.neighbours), storage)),
             ("face_normals", buffer(bytemuck::cast_slice(&setting.face_normals), storage)),
             ("face_planes", buffer(bytemuck::cast_slice(&setting.face_planes), storage)),
             ("face_frames", buffer(bytemuck::cast_slice(&setting.face_frames), storage)),
-            ("stripes_along", buffer(bytemuck::cast_slice(&setting.stripes[0]), storage)),
-            ("stripes_across", buffer(bytemuck::cast_slice(&setting.stripes[1]), storage)),
-            // As the vertices of an index buffer that is the list of vertices.
-            ("provoking", buffer(bytemuck::cast_slice(&(0..VERTICES as u32).collect::<Vec<_>>()), storage)),
-            ("patch_starts", buffer(bytemuck::cast_slice(&setting.patch_starts), storage)),
-            ("patch_corners", buffer(bytemuck::cast_slice(&setting.patch_corners), storage)),
-            ("patch_entries", buffer(bytemuck::cast_slice(&setting.patch_entries), storage)),
+            ("case_corners", buffer(bytemuck::cast_slice(&corner_words()), storage)),
             ("edges", buffer(bytemuck::cast_slice(&setting.edges), storage)),
             ("cases", buffer(bytemuck::cast_slice(&cases), storage)),
         ];

@@ -24,7 +24,7 @@ use super::textures::Textures;
 use super::watch::FileWatch;
 use super::work::{Demand, Engine, MARGIN, Results, Wake};
 use super::{panels, style};
-use crate::gpu::{Gpu, GpuOptions};
+use crate::gpu::Gpu;
 pub use keeping::Leaving;
 use keeping::{KeptSession, Left, Written, look_up_saved, restore};
 
@@ -82,7 +82,7 @@ impl App {
         style::install(ctx);
         let repaint = ctx.clone();
         let wake: Wake = Arc::new(move || repaint.request_repaint());
-        let gpu = Gpu::watched(&window.device, &window.queue, &window.adapter, &GpuOptions::default());
+        let gpu = Gpu::watched(&window.device, &window.queue, &window.adapter);
         let results = Results { adapter: Some(gpu.adapter.to_string()), ..Results::default() };
         let engine = Engine::start(&wake, gpu.clone())?;
         options.left.open_on(&gpu);

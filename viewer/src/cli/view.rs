@@ -161,14 +161,11 @@ pub(super) struct AdapterArgs {
     /// Part of the adapter's name [default: WGPU_ADAPTER_NAME, or the fastest kind]
     #[arg(long, value_name = "NAME", help_heading = "Adapter")]
     adapter: Option<String>,
-    /// Do without primitive indices, as on adapters that have none
-    #[arg(long, help_heading = "Adapter")]
-    flat_face: bool,
 }
 
 impl AdapterArgs {
     pub(super) fn options(&self) -> GpuOptions {
-        GpuOptions { adapter: self.adapter.clone(), flat_face: self.flat_face }
+        GpuOptions { adapter: self.adapter.clone() }
     }
 }
 

@@ -3,17 +3,13 @@
 use std::sync::Arc;
 use std::sync::Mutex;
 
-use tam_shaders::Capabilities;
-
 use super::made::Counts;
 
-/// Which adapter to use, and how.
+/// Which adapter to use.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct GpuOptions {
     /// Part of the adapter's name, in any case; `None` takes `WGPU_ADAPTER_NAME`, or else the fastest kind.
     pub adapter: Option<String>,
-    /// Do without primitive indices even where the adapter has them.
-    pub flat_face: bool,
 }
 
 /// An adapter, for people to choose from.
@@ -117,8 +113,6 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// Which adapter it is.
     pub adapter: AdapterSummary,
-    /// What shaders may use.
-    pub capabilities: Capabilities,
     /// Whether passes can be timed on the device.
     pub has_timestamps: bool,
     /// Whether a texture can be seen in another format than its own.
@@ -139,7 +133,7 @@ impl Gpu {
     /// [`GpuError`] if there is none, none of that name, or it gives no device.
     pub fn open(options: &GpuOptions) -> Result<Self, GpuError> {
         let adapters = all_adapters();
-        Self::from_adapter(Self::choose(&adapters, options)?, options)
+        Self::from_adapter(Self::choose(&adapters, options)?)
     }
 
     /// The adapter that [`Gpu::open`] takes of several.
@@ -167,16 +161,16 @@ impl Gpu {
     ///
     /// # Errors
     /// [`GpuError::Device`] if it gives no device.
-    pub fn from_adapter(adapter: &wgpu::Adapter, options: &GpuOptions) -> Result<Self, GpuError> {
+    pub fn from_adapter(adapter: &wgpu::Adapter) -> Result<Self, GpuError> {
         let summary = AdapterSummary::of(&adapter.get_info());
         let (device, queue) = pollster::block_on(adapter.request_device(&Self::descriptor(adapter)))
             .map_err(|error| GpuError::Device { adapter: summary.to_string(), cause: error.to_string() })?;
-        Ok(Self::watched(&device, &queue, adapter, options))
+        Ok(Self::watched(&device, &queue, adapter))
     }
 
     /// What a device of this adapter is opened with: what drawing makes use of, as far as the adapter has it.
     pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
-        let useful = wgpu::Features::PRIMITIVE_INDEX | wgpu::Features::TIMESTAMP_QUERY;
+        let useful = wgpu::Features::TIMESTAMP_QUERY;
         // What every WebGPU adapter has is enough, and less on older ones is tried with; only sizes may be larger.
         let own = adapter.limits();
         let required_limits = wgpu::Limits {
@@ -196,10 +190,8 @@ impl Gpu {
 
     /// A device that was opened elsewhere, whose callbacks become this one's: [`Gpu::check`] tells what goes wrong on it,
     /// whoever uses it.
-    ///
-    /// Of `options` only `flat_face` counts.
-    pub fn watched(device: &wgpu::Device, queue: &wgpu::Queue, adapter: &wgpu::Adapter, options: &GpuOptions) -> Self {
-        let mut gpu = Self::shared(device, queue, &adapter.get_info(), options);
+    pub fn watched(device: &wgpu::Device, queue: &wgpu::Queue, adapter: &wgpu::Adapter) -> Self {
+        let mut gpu = Self::shared(device, queue, &adapter.get_info());
         let flags = adapter.get_downlevel_capabilities().flags;
         gpu.has_view_formats = flags.contains(wgpu::DownlevelFlags::VIEW_FORMATS);
         let lost = Arc::clone(&gpu.failure);
@@ -211,20 +203,9 @@ impl Gpu {
 
     /// Somebody else's device, whatever it was opened with: WebGPU's default limits are enough. Its callbacks stay as
     /// they are, so that what goes wrong on it is told to its owner, and [`Gpu::check`] knows nothing of it.
-    ///
-    /// Of `options` only `flat_face` counts.
-    pub fn shared(
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        adapter: &wgpu::AdapterInfo,
-        options: &GpuOptions,
-    ) -> Self {
-        let features = device.features();
+    pub fn shared(device: &wgpu::Device, queue: &wgpu::Queue, adapter: &wgpu::AdapterInfo) -> Self {
         Self {
-            capabilities: Capabilities {
-                primitive_index: features.contains(wgpu::Features::PRIMITIVE_INDEX) && !options.flat_face,
-            },
-            has_timestamps: features.contains(wgpu::Features::TIMESTAMP_QUERY),
+            has_timestamps: device.features().contains(wgpu::Features::TIMESTAMP_QUERY),
             device: device.clone(),
             queue: queue.clone(),
             adapter: AdapterSummary::of(adapter),

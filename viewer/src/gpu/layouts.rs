@@ -1,5 +1,5 @@
 //! Which buffers and textures the passes bind: group 0 the frame's records (view and placement, material, line style), 1 the
-//! mesh where it stands, 2 the map or the lines, 3 the surface.
+//! mesh where it stands, for passes that look at faces, 2 the map or the lines, 3 how patches turn.
 
 use super::Gpu;
 
@@ -30,13 +30,11 @@ impl Layouts {
         // At most eight storage buffers a stage, which every WebGPU adapter binds.
         let mesh = [
             storage(0, VERTEX),
-            storage(1, VERTEX),
             storage(2, VERTEX),
             storage(3, BOTH),
-            storage(4, BOTH),
+            storage(4, FRAGMENT),
             storage(5, FRAGMENT),
             storage(6, BOTH),
-            storage(7, VERTEX),
         ];
         let texture = |binding, dimension, filterable| wgpu::BindGroupLayoutEntry {
             binding,
@@ -60,17 +58,7 @@ impl Layouts {
             frame: layout("frame", &[uniform(0, BOTH | COMPUTE), uniform(1, BOTH), uniform(2, BOTH | COMPUTE)]),
             mesh: layout("mesh", &mesh),
             map: layout("map", &[texture(0, maps, true), sampler, texture(2, tables, false)]),
-            surface: layout(
-                "surface",
-                &[
-                    storage(0, FRAGMENT),
-                    storage(1, FRAGMENT),
-                    texture(2, tables, false),
-                    storage(4, FRAGMENT),
-                    storage(5, FRAGMENT),
-                    storage(6, VERTEX),
-                ],
-            ),
+            surface: layout("surface", &[texture(2, tables, false)]),
             face_geometry: layout("face_geometry", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(4)]),
             face_frames: layout("face_frames", &[storage(0, COMPUTE), storage(2, COMPUTE), written(3), written(5)]),
             line_mesh: layout("line_mesh", &[storage(0, VERTEX | COMPUTE), storage(4, VERTEX | COMPUTE)]),

@@ -5,15 +5,19 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::Vec3;
 use rayon::prelude::*;
+use tam_shaders::Feed;
 use tam_shaders::cpu::lib::octahedral::oct_encode;
 use tam_shaders::cpu::line_edges::BLOCK_EDGES;
 use tam_shaders::types::{self, NO_FACE};
 
+use super::corners::CornersOf;
+use super::feeds::Fed;
 use super::placed::{FaceData, PlacedMesh};
 use super::surface::SurfaceBuffers;
 use super::{Gpu, GpuError, Layouts};
 use crate::mesh::{self, Mesh};
-use crate::params::RenderParams;
+use crate::params::{Mapping, RenderParams};
+use crate::surface::Surface;
 
 /// A mesh's buffers, uploaded once for all objects that show it. Topology is fixed; positions may change by
 /// [`GpuMesh::update`].
@@ -30,7 +34,7 @@ pub struct GpuMesh {
     placed: Mutex<Vec<Arc<PlacedMesh>>>,
     /// Kept for surfaces that are attached later.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// Bind group 3.
+    /// What of a surface is attached.
     pub(crate) surface: SurfaceBuffers,
     staging: Vec<types::Vertex>,
     bytes: u64,
@@ -40,12 +44,9 @@ pub struct GpuMesh {
 pub(crate) struct Buffers {
     pub vertices: wgpu::Buffer,
     pub uvs: wgpu::Buffer,
-    /// Pulled by vertices and fragments.
+    /// Drawn with, and pulled by passes that look at faces.
     pub indices: wgpu::Buffer,
-    /// Drawn with.
-    pub index_buffer: wgpu::Buffer,
     pub neighbours: wgpu::Buffer,
-    pub provoking: wgpu::Buffer,
     pub edges: wgpu::Buffer,
     pub triangle_count: u32,
     pub edge_count: u32,
@@ -64,14 +65,7 @@ impl GpuMesh {
         gpu.fits("the mesh's vertices", mesh.positions.len() as u64 * 16)?;
         let staging = vertices(&mesh.positions, &mesh.normals);
         let indices: &[u32] = bytemuck::cast_slice(&mesh.triangles);
-        let (index_list, provoking) = if gpu.capabilities.primitive_index {
-            (None, vec![0])
-        } else {
-            let (list, provoking) = provoking_vertices(&mesh.triangles, mesh.positions.len());
-            (Some(list), provoking)
-        };
-        let uvs: Vec<[f32; 2]> =
-            if mesh.uvs.is_empty() { vec![[0.0; 2]] } else { mesh.uvs.iter().map(|uv| (*uv).into()).collect() };
+        let uvs: Vec<[f32; 2]> = mesh.uvs.iter().map(|uv| (*uv).into()).collect();
         let edges = edges(mesh);
         gpu.fits("the mesh's edges", edges.len() as u64 * 16)?;
 
@@ -80,20 +74,14 @@ impl GpuMesh {
             bytes += contents.len() as u64;
             gpu.buffer_of(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
-        let storage = wgpu::BufferUsages::STORAGE;
-        let index_usage = storage | wgpu::BufferUsages::INDEX;
-        let pulled = buffer("indices", bytemuck::cast_slice(indices), index_usage);
+        let (storage, vertex) = (wgpu::BufferUsages::STORAGE, wgpu::BufferUsages::VERTEX);
+        let vertex_usage = storage | vertex | wgpu::BufferUsages::COPY_DST;
         let buffers = Buffers {
-            vertices: buffer("vertices", bytemuck::cast_slice(&staging), storage | wgpu::BufferUsages::COPY_DST),
-            uvs: buffer("uvs", bytemuck::cast_slice(&uvs), storage),
+            vertices: buffer("vertices", bytemuck::cast_slice(&staging), vertex_usage),
+            uvs: buffer("uvs", bytemuck::cast_slice(&uvs), vertex),
+            indices: buffer("indices", bytemuck::cast_slice(indices), storage | wgpu::BufferUsages::INDEX),
             neighbours: buffer("neighbours", bytemuck::cast_slice(&mesh.neighbours), storage),
-            provoking: buffer("provoking", bytemuck::cast_slice(&provoking), storage),
             edges: buffer("edges", bytemuck::cast_slice(&edges), storage),
-            index_buffer: match index_list {
-                Some(list) => buffer("provoking indices", bytemuck::cast_slice(&list), wgpu::BufferUsages::INDEX),
-                None => pulled.clone(),
-            },
-            indices: pulled,
             triangle_count: triangles as u32,
             edge_count: edges.len() as u32,
             blocks: edges.len().div_ceil(BLOCK_EDGES) as u32,
@@ -101,7 +89,7 @@ impl GpuMesh {
         let first = PlacedMesh::new(gpu, layouts, &buffers, FaceData::default());
         Ok(Self {
             buffers,
-            surface: SurfaceBuffers::new(gpu, layouts, &[], None)?,
+            surface: SurfaceBuffers::none(gpu, layouts),
             triangles: mesh.triangles.clone(),
             parts: mesh.parts.iter().map(|part| part.triangles.clone()).collect(),
             closed: mesh.neighbours.as_flattened().iter().all(|neighbour| *neighbour != NO_FACE),
@@ -142,8 +130,38 @@ impl GpuMesh {
             *vertex = shared_vertex(*position, *normal);
         });
         gpu.queue.write_buffer(&self.buffers.vertices, 0, bytemuck::cast_slice(&self.staging));
+        self.surface.update(gpu, self.corners_of());
         self.radius = radius(positions);
         self.version += 1;
+    }
+
+    fn corners_of(&self) -> CornersOf<'_> {
+        CornersOf { vertices: &self.staging, triangles: &self.triangles, parts: &self.parts }
+    }
+
+    /// Attaches a surface in place of the one before.
+    ///
+    /// # Errors
+    /// [`GpuError::TooLarge`] if it exceeds what the adapter has.
+    pub(crate) fn attach(&mut self, gpu: &Gpu, layouts: &Layouts, surface: &Surface) -> Result<(), GpuError> {
+        self.surface = SurfaceBuffers::new(gpu, layouts, self.corners_of(), surface)?;
+        Ok(())
+    }
+
+    /// What a feed is drawn with in a mapping; none where the surface lacks what it carries.
+    pub(crate) fn fed(&self, feed: Feed, mapping: Mapping) -> Option<Fed<'_>> {
+        let Buffers { vertices, uvs, indices, .. } = &self.buffers;
+        let parts = || self.parts.iter().map(|part| 3 * part.start..3 * part.end).collect();
+        match feed {
+            Feed::Vertices => Some(Fed { buffers: vec![vertices], indices: Some(indices), parts: parts() }),
+            Feed::Uvs => Some(Fed { buffers: vec![vertices, uvs], indices: Some(indices), parts: parts() }),
+            // Vertices are counted from the first face of the part, which the material tells.
+            Feed::Faces | Feed::Faced => {
+                let parts = self.parts.iter().map(|part| 0..3 * (part.end - part.start)).collect();
+                Some(Fed { buffers: Vec::new(), indices: None, parts })
+            }
+            Feed::Corners | Feed::Turning | Feed::Lines | Feed::Strokes => self.surface.fed(feed, mapping),
+        }
     }
 
     /// Triangles.
@@ -186,44 +204,4 @@ fn edges(mesh: &Mesh) -> Vec<types::Edge> {
         types::Edge { a, b, left, right }
     };
     mesh.edges().into_iter().map(edge).collect()
-}
-
-/// An index list in which the first corner of triangle `f` has index `f`, so that a flat value carries the face, and
-/// the vertex that stands at each index. Other corners reuse an index that already stands for their vertex.
-fn provoking_vertices(triangles: &[[u32; 3]], vertex_count: usize) -> (Vec<u32>, Vec<u32>) {
-    let mut vertex_of: Vec<u32> = triangles.iter().map(|corners| corners[0]).collect();
-    let mut index_of = vec![u32::MAX; vertex_count];
-    for (index, vertex) in vertex_of.iter().enumerate() {
-        index_of[*vertex as usize] = index as u32;
-    }
-    let mut list = Vec::with_capacity(triangles.len() * 3);
-    for (face, corners) in triangles.iter().enumerate() {
-        list.push(face as u32);
-        for vertex in &corners[1..] {
-            let index = &mut index_of[*vertex as usize];
-            if *index == u32::MAX {
-                *index = vertex_of.len() as u32;
-                vertex_of.push(*vertex);
-            }
-            list.push(*index);
-        }
-    }
-    (list, vertex_of)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_first_corner_of_every_triangle_carries_its_face() {
-        let triangles = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [5, 0, 2]];
-        let (list, vertex_of) = provoking_vertices(&triangles, 6);
-        for (face, corners) in triangles.iter().enumerate() {
-            assert_eq!(list[3 * face], face as u32);
-            for k in 0..3 {
-                assert_eq!(vertex_of[list[3 * face + k] as usize], corners[k]);
-            }
-        }
-    }
 }

@@ -1,6 +1,8 @@
 //! The GPU: context, meshes and maps on it, targets and reading back. Needs no window.
 
 mod context;
+mod corners;
+pub(crate) mod feeds;
 mod layouts;
 mod made;
 mod map;
@@ -21,5 +23,4 @@ pub use views::{TargetFormats, TargetViews};
 pub(crate) use layouts::Layouts;
 pub(crate) use map::MapTextures;
 pub(crate) use placed::{FaceData, FramesKey, GeometryKey, PlacedMesh};
-pub(crate) use surface::SurfaceBuffers;
 pub(crate) use uniforms::{Offsets, Uniforms};

@@ -70,10 +70,7 @@ impl FaceData {
         let made = params.frames_made();
         match method {
             Method::FaceFrame => Self { planes: made == FaceFrameForm::Fetched, frames: made != FaceFrameForm::Vertex },
-            Method::Stripes => Self { planes: true, frames: false },
-            method if method.takes_mapping() => {
-                Self { planes: mapping == Mapping::Lapped, frames: mapping == Mapping::Frames }
-            }
+            method if method.takes_mapping() => Self { planes: false, frames: mapping == Mapping::Frames },
             _ => Self::default(),
         }
     }
@@ -99,9 +96,7 @@ impl PlacedMesh {
     }
 
     pub(crate) fn new(gpu: &Gpu, layouts: &Layouts, mesh: &Buffers, faces: FaceData) -> Self {
-        let Buffers {
-            vertices, uvs, indices, neighbours, provoking, edges, triangle_count, edge_count, blocks, ..
-        } = mesh;
+        let Buffers { vertices, indices, neighbours, edges, triangle_count, edge_count, blocks, .. } = mesh;
         let [normals, planes, frames] = faces.bytes((*triangle_count).into());
         let computed = |label, bytes| computed(gpu, label, bytes, wgpu::BufferUsages::COPY_SRC);
         let face_normals = computed("face_normals", normals);
@@ -127,13 +122,11 @@ impl PlacedMesh {
                 &layouts.mesh,
                 &[
                     (0, vertices),
-                    (1, uvs),
                     (2, indices),
                     (3, neighbours),
                     (4, &face_normals),
                     (5, &face_planes),
                     (6, &face_frames),
-                    (7, provoking),
                 ],
             ),
             geometry: group(

@@ -1,7 +1,7 @@
 //! What a method works with, in its ink's place.
 
-use tam_shaders::Pass;
 use tam_shaders::cpu::DebugView as Shown;
+use tam_shaders::{Feed, Pass};
 
 use super::Variant;
 use super::shading::method_variant;
@@ -14,16 +14,24 @@ pub(super) fn variant(view: DebugView, params: &RenderParams, mesh: &GpuMesh) ->
     let mapping = if params.method == Method::FaceFrame { Mapping::Frames } else { params.mapping };
     let follow = if turns(params, mesh) { Follow::Light } else { Follow::Surface };
     let shown = shown(view, params.method, mapping, mesh);
-    // Only directions are those of patches and frames; all else is the same on three planes, whose vertices are the mesh's.
-    let mapping = match mapping {
-        Mapping::Patches | Mapping::Frames if shown != Shown::Frames => Mapping::Triplanar,
-        mapping => mapping,
+    // Only directions are those of the mapping; all else is the same on three planes, whose vertices are the mesh's, but for
+    // the footprint of its own uv.
+    let mapping = match (shown, mapping) {
+        (Shown::Frames, mapping) | (Shown::Level, mapping @ Mapping::Uv) => mapping,
+        _ => Mapping::Triplanar,
     };
-    let mut variant =
-        Variant::new(Pass::Debug, kind(view, params)).mapped(&RenderParams { mapping, follow, ..*params });
-    let frames = shown == Shown::Frames && mapping == Mapping::Frames;
-    variant.faces = FaceData { planes: true, frames };
-    variant.with("DEBUG", shown as u32)
+    let variant = Variant::new(Pass::Debug, kind(view, params)).mapped(&RenderParams { mapping, follow, ..*params });
+    let variant = variant.with("DEBUG", shown as u32);
+    match shown {
+        Shown::Stripes => Variant { feed: Feed::Lines, fragment: "fragment_lines", ..variant },
+        Shown::Adjacency | Shown::Triangles => Variant {
+            feed: Feed::Faced,
+            fragment: "fragment_faces",
+            faces: FaceData { planes: true, frames: false },
+            ..variant
+        },
+        _ => Variant { faces: FaceData { planes: false, frames: mapping == Mapping::Frames }, ..variant },
+    }
 }
 
 /// Whether patches turn with the light.

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use tam_shaders::{Pass, compose, cpu};
+use tam_shaders::{Feed, Pass, compose, cpu};
 
 use super::{debug, face_frame, fine_tone, phong, six_way, stripes, stroke_map};
-use crate::gpu::{FaceData, Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats};
+use crate::gpu::{FaceData, Gpu, GpuMesh, Layouts, MapKind, Offsets, TargetFormats, feeds};
 use crate::params::{Blend, DebugView, Follow, Form, Mapping, Method, RenderParams};
 use crate::renderer::Draw;
 
@@ -17,17 +17,18 @@ pub(crate) struct Variant {
     pub constants: Vec<(&'static str, u32)>,
     /// What it samples.
     pub kind: MapKind,
-    /// Three vertices a face instead of shared ones.
-    pub unindexed: bool,
+    /// What its vertices carry.
+    pub feed: Feed,
+    /// Entry point of the fragment stage.
+    pub fragment: &'static str,
     /// What of the faces it reads.
     pub faces: FaceData,
-    /// Whether an index names a corner with its patches, not a vertex.
-    pub on_patches: bool,
 }
 
 impl Variant {
     pub(crate) fn new(pass: Pass, kind: MapKind) -> Self {
-        Self { pass, constants: Vec::new(), kind, unindexed: false, faces: FaceData::default(), on_patches: false }
+        let (feed, faces) = (Feed::Vertices, FaceData::default());
+        Self { pass, constants: Vec::new(), kind, feed, fragment: "fragment", faces }
     }
 
     pub(crate) fn with(mut self, name: &'static str, constant: u32) -> Self {
@@ -38,8 +39,13 @@ impl Variant {
     /// The overrides that all mapped methods have.
     pub(crate) fn mapped(mut self, params: &RenderParams) -> Self {
         let follows = params.mapping == Mapping::Patches && params.follow == Follow::Light;
-        self.on_patches = params.mapping == Mapping::Patches;
-        self.unindexed = params.mapping == Mapping::Frames;
+        self.feed = match params.mapping {
+            Mapping::Uv => Feed::Uvs,
+            Mapping::Frames => Feed::Faces,
+            Mapping::Triplanar => Feed::Vertices,
+            Mapping::Patches if follows => Feed::Turning,
+            Mapping::Patches | Mapping::Lapped => Feed::Corners,
+        };
         let this = self.with("FOLLOW", u32::from(follows));
         this.with("FORM", form_constant(params.form)).with("MAPPING", cpu::Mapping::from(params.mapping) as u32)
     }
@@ -110,18 +116,24 @@ impl Shading {
                 pass.set_pipeline(&self.pipelines[draw.pipeline]);
                 set = Some(draw.pipeline);
             }
-            pass.set_bind_group(1, &draw.placed.groups.drawn, &[]);
+            if draw.variant.feed.is_pulled() {
+                pass.set_bind_group(1, &draw.placed.groups.drawn, &[]);
+            }
             pass.set_bind_group(3, &draw.surface, &[]);
-            pass.set_index_buffer(draw.indices.slice(..), wgpu::IndexFormat::Uint32);
-            for (part, (material, map)) in draw.mesh.parts.iter().zip(&draw.parts) {
+            for (slot, buffer) in draw.fed.buffers.iter().enumerate() {
+                pass.set_vertex_buffer(slot as u32, buffer.slice(..));
+            }
+            if let Some(indices) = draw.fed.indices {
+                pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+            }
+            for (part, (material, map)) in draw.fed.parts.iter().zip(&draw.parts) {
                 let offsets = Offsets { scene: draw.scene.1, material: *material, ..Offsets::default() };
                 pass.set_bind_group(0, frame, &offsets.of_group());
                 pass.set_bind_group(2, &map.group, &[]);
-                if draw.variant.unindexed {
-                    // Vertices are counted from the first face of the part, which the material tells.
-                    pass.draw(0..3 * (part.end - part.start), 0..1);
+                if draw.fed.indices.is_some() {
+                    pass.draw_indexed(part.clone(), 0, 0..1);
                 } else {
-                    pass.draw_indexed(3 * part.start..3 * part.end, 0, 0..1);
+                    pass.draw(part.clone(), 0..1);
                 }
             }
         }
@@ -129,7 +141,7 @@ impl Shading {
 }
 
 pub(crate) fn module(gpu: &Gpu, pass: Pass) -> wgpu::ShaderModule {
-    let source = compose(pass, gpu.capabilities);
+    let source = compose(pass);
     gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(pass.name()),
         source: wgpu::ShaderSource::Wgsl(source.into()),
@@ -146,7 +158,12 @@ fn shading_pipeline(
 ) -> wgpu::RenderPipeline {
     let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(variant.pass.name()),
-        bind_group_layouts: &[Some(&layouts.frame), Some(&layouts.mesh), Some(&layouts.map), Some(&layouts.surface)],
+        bind_group_layouts: &[
+            Some(&layouts.frame),
+            variant.feed.is_pulled().then_some(&layouts.mesh),
+            Some(&layouts.map),
+            Some(&layouts.surface),
+        ],
         immediate_size: 0,
     });
     let constants: Vec<(&str, f64)> =
@@ -157,9 +174,9 @@ fn shading_pipeline(
         layout: Some(&layout),
         vertex: wgpu::VertexState {
             module,
-            entry_point: Some("vertex"),
+            entry_point: Some(variant.feed.vertex_entry()),
             compilation_options: options.clone(),
-            buffers: &[],
+            buffers: feeds::layouts(variant.feed),
         },
         primitive: wgpu::PrimitiveState {
             cull_mode: culled.then_some(wgpu::Face::Back),
@@ -169,7 +186,7 @@ fn shading_pipeline(
         multisample: wgpu::MultisampleState { count: formats.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
-            entry_point: Some("fragment"),
+            entry_point: Some(variant.fragment),
             compilation_options: options,
             targets: &[Some(formats.colour.into())],
         }),

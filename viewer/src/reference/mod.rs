@@ -16,17 +16,20 @@ mod tests;
 
 use std::ops::Range;
 
-use glam::{DVec2, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 use rayon::prelude::*;
 use tam_shaders::cpu::lib::material::Material;
 use tam_shaders::cpu::lib::mesh::Mesh as MeshView;
 use tam_shaders::cpu::lib::mesh_types::{FaceFrame, Vertex};
-use tam_shaders::cpu::lib::patches::PatchTable;
+use tam_shaders::cpu::lib::patches::{NO_SEED, OVERLAPS};
 use tam_shaders::cpu::lib::scene::Scene;
-use tam_shaders::cpu::{Bindings, MapImage, Options, StripeTable, face_frames, face_geometry, octahedral};
-use tam_shaders::{Pass, types};
+use tam_shaders::cpu::lib::stages::Carried;
+use tam_shaders::cpu::{Bindings, MapImage, Options, face_frames, face_geometry, octahedral};
+use tam_shaders::{Feed, Pass, types};
 
 use crate::mesh::Mesh;
+use crate::surface::Corners;
+use crate::surface::corners::Stand;
 pub use maps::{column_pairs, six_columns, thresholds};
 use raster::{Hit, Triangle};
 use shade::{Corner, Shader};
@@ -75,10 +78,10 @@ pub struct Draw<'a> {
     pub map: &'a MapImage,
     /// Rows of the distribution table, shares and their rates, for stroke maps.
     pub distribution: &'a [Vec<DVec2>],
-    /// Phases of the whole mesh, for the pass that draws stripes.
-    pub stripes: StripeTable<'a>,
-    /// Patches of the whole mesh, for the mappings that draw with them.
-    pub patches: PatchTable<'a>,
+    /// What the corners of the whole mesh carry, for feeds that draw with them.
+    pub corners: Option<&'a Corners>,
+    /// How its patches are turned with the light; empty where they lie still.
+    pub turns: &'a [DVec4],
 }
 
 /// How a picture is made.
@@ -86,6 +89,8 @@ pub struct Draw<'a> {
 pub struct How {
     /// The pass that shades.
     pub pass: Pass,
+    /// What its vertices carry.
+    pub feed: Feed,
     /// Constants of its pipeline.
     pub options: Options,
     /// Samples of a pixel in each direction, evenly spaced; 1 is the middle of the pixel, as a GPU without
@@ -116,7 +121,7 @@ impl Reference {
         let uvs: Vec<DVec2> = mesh.uvs.iter().map(|uv| uv.as_dvec2()).collect();
         Self {
             vertices: mesh.positions.iter().zip(&mesh.normals).map(vertex).collect(),
-            uvs: if uvs.is_empty() { vec![DVec2::ZERO] } else { uvs },
+            uvs,
             indices: mesh.triangles.as_flattened().to_vec(),
             neighbours: mesh.neighbours.as_flattened().to_vec(),
         }
@@ -143,16 +148,15 @@ impl Reference {
                 material,
                 map: draw.map,
                 distribution: draw.distribution,
-                stripes: draw.stripes,
-                patches: draw.patches,
+                turns: draw.turns,
             })
             .collect();
         let samples = how.samples as usize;
         let grid = [size[0] as usize * samples, size[1] as usize * samples];
         let drawn = |(i, draw): (usize, &Draw<'_>)| {
             let b = bindings[i];
-            let triangle = move |face: u32| {
-                let corners = shader.corners(&b, face);
+            let triangle = move |(face, carried): (u32, [Carried; 3])| {
+                let corners = carried.map(|carried| shader.corner(&b, how.feed, &carried));
                 Triangle::new(corners.map(|corner: Corner| corner.clip), grid).map(|shape| Drawn {
                     shape,
                     corners,
@@ -160,7 +164,7 @@ impl Reference {
                     draw: i,
                 })
             };
-            draw.triangles.clone().into_par_iter().filter_map(triangle).collect::<Vec<_>>()
+            self.carried(draw, how.feed).into_par_iter().filter_map(triangle).collect::<Vec<_>>()
         };
         let triangles: Vec<Drawn> = draws.iter().enumerate().flat_map(drawn).collect();
         let shapes: Vec<&Triangle> = triangles.iter().map(|triangle| &triangle.shape).collect();
@@ -176,7 +180,7 @@ impl Reference {
                         let at = [x * samples + sample % samples, y * samples + sample / samples];
                         let Some(Hit { triangle, .. }) = rows[at[1]][at[0]] else { continue };
                         let triangle = &triangles[triangle as usize];
-                        sum += triangle.shade(shader, &bindings[triangle.draw], at, [x, y], samples);
+                        sum += triangle.shade((shader, how.feed), &bindings[triangle.draw], at, [x, y], samples);
                         covered += 1;
                     }
                     let share = f64::from(covered) / (samples * samples) as f64;
@@ -210,10 +214,55 @@ impl Reference {
         computed
     }
 
+    /// The triangles that are drawn, each with its triangle of the mesh and what its corners carry.
+    fn carried(&self, draw: &Draw<'_>, feed: Feed) -> Vec<(u32, [Carried; 3])> {
+        let first = draw.triangles.start;
+        let corners = draw.corners.filter(|_| !matches!(feed, Feed::Vertices | Feed::Uvs) && !feed.is_pulled());
+        let of_face = |face: u32| match corners {
+            None => {
+                let carried = [0, 1, 2].map(|k| {
+                    let vertex = self.indices[(3 * face + k) as usize] as usize;
+                    let uv = self.uvs.get(vertex).copied().unwrap_or_default();
+                    Carried { vertex: self.vertices[vertex], uv, index: 3 * (face - first) + k, ..Carried::default() }
+                });
+                vec![(face, carried)]
+            }
+            Some(corners) => {
+                let range = corners.range_of(face..face + 1);
+                let indices = &corners.indices[range.start as usize..range.end as usize];
+                let triangle = |indices: &[u32; 3]| (face, indices.map(|index| self.corner(corners, index as usize)));
+                indices.as_chunks::<3>().0.iter().map(triangle).collect()
+            }
+        };
+        draw.triangles.clone().into_par_iter().flat_map_iter(of_face).collect()
+    }
+
+    fn corner(&self, corners: &Corners, i: usize) -> Carried {
+        let Corners { stands, patches, seeds, lines, rows, .. } = corners;
+        let vertex = match stands[i] {
+            Stand::Vertex(vertex) => self.vertices[vertex as usize],
+            Stand::Middle(face) => {
+                let corners = [0, 1, 2].map(|k| self.vertices[self.indices[(3 * face + k) as usize] as usize]);
+                let normals = corners.iter().map(|corner| octahedral::oct_decode(corner.normal_oct));
+                Vertex {
+                    position: corners.iter().map(|corner| corner.position).sum::<DVec3>() / 3.0,
+                    normal_oct: octahedral::oct_encode(normals.sum::<DVec3>().normalize_or(DVec3::Y)),
+                }
+            }
+        };
+        Carried {
+            vertex,
+            patches: patches.get(i).copied().unwrap_or_default(),
+            seeds: seeds.get(i).copied().unwrap_or([NO_SEED; OVERLAPS]),
+            lines: lines.get(i).copied().unwrap_or_default(),
+            rows: rows.get(i).copied().unwrap_or_default(),
+            ..Carried::default()
+        }
+    }
+
     fn view<'a>(&'a self, computed: &'a Computed) -> MeshView<'a> {
         MeshView {
             vertices: &self.vertices,
-            uvs: &self.uvs,
             indices: &self.indices,
             neighbours: &self.neighbours,
             face_normals: &computed.face_normals,
@@ -247,7 +296,14 @@ struct Drawn {
 
 impl Drawn {
     /// Colour of a sample. The quad of a fragment is that of its pixel, a whole pixel from one fragment to the next.
-    fn shade(&self, shader: Shader, b: &Bindings<'_>, at: [usize; 2], pixel: [usize; 2], samples: usize) -> DVec4 {
+    fn shade(
+        &self,
+        (shader, feed): (Shader, Feed),
+        b: &Bindings<'_>,
+        at: [usize; 2],
+        pixel: [usize; 2],
+        samples: usize,
+    ) -> DVec4 {
         let lane = pixel[0] % 2 + pixel[1] % 2 * 2;
         let step = samples as f64;
         let weights = tam_shaders::cpu::Quad::from_fn(|other| {
@@ -256,7 +312,7 @@ impl Drawn {
             self.shape.weights(DVec2::new(at[0] as f64 + 0.5 + step * across, at[1] as f64 + 0.5 + step * down))
         });
         let place_px = (DVec2::new(at[0] as f64, at[1] as f64) + 0.5) / step;
-        shader.fragment(b, &self.corners, self.face - b.material.first_face, &weights, place_px, lane, self.shape.front)
+        shader.fragment(b, feed, &self.corners, self.face, &weights, place_px, lane, self.shape.front)
     }
 }
 

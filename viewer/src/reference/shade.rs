@@ -1,15 +1,17 @@
 //! The passes that shade surfaces: what their vertices hand on, and their fragments.
 
 use glam::{DVec2, DVec3, DVec4};
-use tam_shaders::Pass;
 use tam_shaders::cpu::face_frame_vertex::HatchOut;
-use tam_shaders::cpu::lib::patched::patched_vertex;
-use tam_shaders::cpu::lib::patches::Overlap;
-use tam_shaders::cpu::lib::surface::{FragmentIn, VertexOut, surface_vertex};
-use tam_shaders::cpu::six_way::Weights;
+use tam_shaders::cpu::lib::faced::faced_vertex;
+use tam_shaders::cpu::lib::patches::{OVERLAPS, Overlap};
+use tam_shaders::cpu::lib::stages::{Carried, stage};
+use tam_shaders::cpu::lib::striped::{line_vertex, stroke_vertex};
+use tam_shaders::cpu::lib::surface::{FragmentIn, VertexOut};
+use tam_shaders::cpu::six_way::{Weights, vertex_weights};
 use tam_shaders::cpu::{
-    Bindings, Mapping, Quad, debug, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map,
+    Bindings, Quad, debug, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map,
 };
+use tam_shaders::{Feed, Pass};
 
 use super::ReferenceError;
 
@@ -35,6 +37,8 @@ pub(super) struct Corner {
     uv: DVec2,
     six: Weights,
     overlap: Overlap,
+    ring: DVec4,
+    rows: [u32; OVERLAPS],
     hatch: HatchOut,
 }
 
@@ -55,34 +59,28 @@ impl Shader {
         }
     }
 
-    /// Whether it draws with all mappings.
-    fn draws_mapped(self) -> bool {
-        matches!(self, Self::SixWay | Self::StrokeMap | Self::FineTone | Self::Debug)
-    }
-
-    /// The corners of a triangle of the mesh.
-    pub(super) fn corners(self, b: &Bindings<'_>, face: u32) -> [Corner; 3] {
-        std::array::from_fn(|k| {
-            if self == Self::FaceFrameVertex {
-                let hatch = face_frame_vertex::vertex(b, 3 * (face - b.material.first_face) + k as u32);
-                return Corner { clip: hatch.clip, hatch, ..Corner::default() };
+    /// A corner of a triangle, from what its vertex carries.
+    pub(super) fn corner(self, b: &Bindings<'_>, feed: Feed, carried: &Carried) -> Corner {
+        if self == Self::FaceFrameVertex {
+            let hatch = face_frame_vertex::vertex(b, carried.index);
+            return Corner { clip: hatch.clip, hatch, ..Corner::default() };
+        }
+        let Carried { vertex, patches, seeds, lines, rows, index, .. } = carried;
+        let (surface, overlap, ring) = match feed {
+            Feed::Lines => {
+                let (surface, ring) = line_vertex(b, vertex, lines);
+                (surface, Overlap::default(), ring)
             }
-            let on_patches = b.options.mapping == Mapping::Patches && self.draws_mapped();
-            let by_frames = b.options.mapping == Mapping::Frames && self.draws_mapped();
-            let indices = if on_patches { b.patches.corner_indices } else { b.mesh.indices };
-            let index =
-                if by_frames { 3 * (face - b.material.first_face) + k as u32 } else { indices[3 * face as usize + k] };
-            let (surface, overlap, six) = match self {
-                Self::SixWay => six_way::vertex(b, index),
-                _ if on_patches || by_frames => {
-                    let (surface, overlap) = patched_vertex(b, index);
-                    (surface, overlap, Weights::default())
-                }
-                _ => (surface_vertex(b, index), Overlap::default(), Weights::default()),
-            };
-            let VertexOut { clip, p_world, normal, uv } = surface;
-            Corner { clip, p_world, normal, uv, six, overlap, hatch: HatchOut::default() }
-        })
+            Feed::Strokes => stroke_vertex(b, vertex, (patches, *seeds), lines),
+            Feed::Faced => (faced_vertex(b, *index).0, Overlap::default(), DVec4::ZERO),
+            _ => {
+                let (surface, overlap) = stage(b, feed, carried);
+                (surface, overlap, DVec4::ZERO)
+            }
+        };
+        let six = if self == Self::SixWay { vertex_weights(b, &surface) } else { Weights::default() };
+        let VertexOut { clip, p_world, normal, uv } = surface;
+        Corner { clip, p_world, normal, uv, six, overlap, ring, rows: *rows, hatch: HatchOut::default() }
     }
 
     /// Colour of one fragment of a quad, linear light. `weights` are those of the corners at each fragment, `place_px`
@@ -91,8 +89,9 @@ impl Shader {
     pub(super) fn fragment(
         self,
         b: &Bindings<'_>,
+        feed: Feed,
         corners: &[Corner; 3],
-        primitive: u32,
+        face: u32,
         weights: &Quad<DVec3>,
         place_px: DVec2,
         lane: usize,
@@ -102,14 +101,19 @@ impl Shader {
             p_world: mixed(*weights, corners.map(|corner| corner.p_world)),
             normal: mixed(*weights, corners.map(|corner| corner.normal)),
             uv: mixed(*weights, corners.map(|corner| corner.uv)),
-            primitive,
             overlap: Overlap::mixed(*weights, corners.map(|corner| corner.overlap)),
+            ring: mixed(*weights, corners.map(|corner| corner.ring)),
+            rows: corners[0].rows,
+            face,
         });
         match self {
             Self::Phong => phong::fragment(b, &quad[lane], front),
             Self::FineTone => fine_tone::fragment(b, &quad, lane, front),
             Self::StrokeMap => stroke_map::fragment(b, &quad, lane, front),
+            Self::Stripes if feed == Feed::Strokes => stripes::fragment_strokes(b, &quad, lane, front),
             Self::Stripes => stripes::fragment(b, &quad, lane, front),
+            Self::Debug if feed == Feed::Lines => debug::fragment_lines(b, &quad, place_px, lane, front),
+            Self::Debug if feed == Feed::Faced => debug::fragment_faces(b, &quad[lane], front),
             Self::Debug => debug::fragment(b, &quad, place_px, lane, front),
             Self::FaceFrame => face_frame::fragment(b, &quad[lane], front),
             Self::SixWay => {

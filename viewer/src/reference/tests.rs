@@ -3,13 +3,14 @@
 
 use glam::{DMat4, DVec2, DVec3, Vec2, Vec3};
 use tam_gen::{Job, Map, Preset, generate};
-use tam_shaders::cpu::lib::patches::PatchTable;
-use tam_shaders::cpu::{MapImage, Options, StripeTable};
-use tam_shaders::{Pass, types};
+use tam_shaders::cpu::{MapImage, Options};
+use tam_shaders::{Feed, Pass, types};
 
 use super::{Draw, How, Reference, ReferenceError, column_pairs, thresholds};
 use crate::maps::tone_table;
 use crate::mesh::{Mesh, NONE, Part, Placement};
+use crate::surface::stripes::StripePhases;
+use crate::surface::{Corners, Stripes};
 
 const SIDE: u32 = 128;
 
@@ -96,15 +97,8 @@ fn pencil() -> Map {
 
 fn mean_ink(pass: Pass, d: f64, material: &types::Material, map: &MapImage, distribution: &[Vec<DVec2>]) -> f64 {
     let reference = Reference::new(&square());
-    let draws = [Draw {
-        triangles: 0..2,
-        material,
-        map,
-        distribution,
-        patches: PatchTable::default(),
-        stripes: StripeTable::default(),
-    }];
-    let how = How { pass, options: Options::default(), samples: 8 };
+    let draws = [Draw { triangles: 0..2, material, map, distribution, corners: None, turns: &[] }];
+    let how = How { pass, feed: Feed::Uvs, options: Options::default(), samples: 8 };
     let picture = reference.render(&scene(d), &draws, &how).unwrap();
     assert!(picture.coverage.iter().all(|share| *share == 1.0), "the square fills the picture");
     picture.colours.iter().map(|colour| 1.0 - colour.x).sum::<f64>() / picture.colours.len() as f64
@@ -144,15 +138,9 @@ fn phong_draws_the_darkness_itself_and_leaves_the_rest_uncovered() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draws = [Draw {
-        triangles: 0..1,
-        material: &material,
-        map: &map,
-        distribution: &[],
-        patches: PatchTable::default(),
-        stripes: StripeTable::default(),
-    }];
-    let how = How { pass: Pass::Phong, options: Options::default(), samples: 4 };
+    let draws =
+        [Draw { triangles: 0..1, material: &material, map: &map, distribution: &[], corners: None, turns: &[] }];
+    let how = How { pass: Pass::Phong, feed: Feed::Vertices, options: Options::default(), samples: 4 };
     let picture = reference.render(&scene(0.3), &draws, &how).unwrap();
     // One triangle of the two; the diagonal belongs to it.
     let covered = picture.coverage.iter().sum::<f64>() / picture.coverage.len() as f64;
@@ -168,17 +156,9 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
     let reference = Reference::new(&square());
     let map = MapImage::default();
     let material = material(&[1.0], 1, 1, 0);
-    let draw = |triangles| {
-        [Draw {
-            triangles,
-            material: &material,
-            map: &map,
-            distribution: &[],
-            patches: PatchTable::default(),
-            stripes: StripeTable::default(),
-        }]
-    };
-    let how = How { pass: Pass::Phong, options: Options::default(), samples: 1 };
+    let draw =
+        |triangles| [Draw { triangles, material: &material, map: &map, distribution: &[], corners: None, turns: &[] }];
+    let how = How { pass: Pass::Phong, feed: Feed::Vertices, options: Options::default(), samples: 1 };
     let lines = How { pass: Pass::Lines, ..how };
     assert_eq!(reference.render(&scene(0.5), &draw(0..2), &lines), Err(ReferenceError::NoSurface(Pass::Lines)));
     let missing = reference.render(&scene(0.5), &draw(0..3), &how);
@@ -189,15 +169,13 @@ fn a_pass_without_surfaces_missing_triangles_and_no_pixels_are_told() {
 }
 
 /// A square whose phase grows by `lines` to the right and by a third of it upwards; for the second field, across it.
-fn square_of_stripes(lines: f32) -> [Vec<types::StripePhases>; 2] {
+fn square_of_stripes(lines: f32) -> Stripes {
     let phases = |x: f32, y: f32| {
         let at = |corner: [f32; 2]| x * corner[0] + y * corner[1];
         let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(at);
-        [[0, 1, 2], [0, 2, 3]]
-            .map(|triangle| types::StripePhases::wound(triangle.map(|k: usize| corners[k]), 0))
-            .to_vec()
+        [[0, 1, 2], [0, 2, 3]].map(|triangle| StripePhases::wound(triangle.map(|k: usize| corners[k]), 0)).to_vec()
     };
-    [phases(lines, lines / 3.0), phases(-lines / 3.0, lines)]
+    Stripes { along: phases(lines, lines / 3.0), across: phases(-lines / 3.0, lines) }
 }
 
 #[test]
@@ -212,13 +190,13 @@ fn stripes_draw_the_mean_ink_that_is_wanted_at_any_level() {
     for (lines, line_period_px) in
         [(3.0, 6.0), (3.0, 7.0), (3.0, 8.2), (3.0, 9.4), (3.0, 10.6), (36.0, 2.0), (90.0, 6.0)]
     {
-        let [along, across] = square_of_stripes(lines);
+        let stripes = square_of_stripes(lines);
+        let corners = Corners::of_stripes(&square().triangles, &stripes, None);
         for (cross_from, d) in [(1.0, 0.1), (1.0, 0.37), (1.0, 0.5), (1.0, 0.8), (0.4, 0.55), (0.4, 0.9), (0.0, 0.3)] {
             let material = types::Material { cross_from, line_period_px, ..material(&[1.0], 1, 1, 0) };
-            let stripes = StripeTable { along: &along, across: &across };
-            let patches = PatchTable::default();
-            let draws = [Draw { triangles: 0..2, material: &material, map: &map, distribution, patches, stripes }];
-            let how = How { pass: Pass::Stripes, options: Options::default(), samples: 2 };
+            let corners = Some(&corners);
+            let draws = [Draw { triangles: 0..2, material: &material, map: &map, distribution, corners, turns: &[] }];
+            let how = How { pass: Pass::Stripes, feed: Feed::Lines, options: Options::default(), samples: 2 };
             let picture = reference.render(&scene(d), &draws, &how).unwrap();
             let ink = picture.colours.iter().map(|colour| 1.0 - colour.x).sum::<f64>() / picture.colours.len() as f64;
             // Lines that cross are averaged by the pixel before they are multiplied.

@@ -239,8 +239,10 @@ impl Surface {
         let lapped = options.lapped.map(|options| stage("lapped patches", || lapped(&graph, &field, &options)));
         let lapped = lapped.transpose()?;
         step.at(0.8)?;
-        let stripes =
-            options.stripes.map(|options| stage("stripes", || stripes(&graph, &field, &options))).transpose()?;
+        let stripes = options
+            .stripes
+            .map(|options| stage("stripes", || stripes(&graph, &mesh.neighbours, &field, &options)))
+            .transpose()?;
         if let (Some(patches), Some(stripes)) = (&mut patches, &stripes) {
             patches.rows = stage("rows", || rows(&graph, &mesh.neighbours, patches, stripes));
         }

@@ -6,6 +6,7 @@
 
 mod build;
 mod coarse;
+pub mod corners;
 pub mod curvature;
 pub mod field;
 pub mod graph;
@@ -17,6 +18,7 @@ pub mod store;
 pub mod stripes;
 
 pub use build::{Surface, SurfaceBase, SurfaceError, SurfaceNeeds, SurfaceOptions};
+pub use corners::Corners;
 pub use curvature::{Curvature, curvatures};
 pub use field::{Field, FieldOptions, FieldSource, field};
 pub use graph::Graph;

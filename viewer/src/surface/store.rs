@@ -9,13 +9,12 @@ use std::sync::Arc;
 
 use glam::{DVec2, Vec2};
 use tam_shaders::cpu::lib::patches::PLACE_RANGE;
-use tam_shaders::types::StripePhases;
 
 use super::build::{Surface, SurfaceOptions};
 use super::field::Field;
 use super::graph::Graph;
 use super::patches::{Entry, MAX_ENTRIES, Patches, Seed};
-use super::stripes::Stripes;
+use super::stripes::{StripePhases, Stripes};
 use crate::mesh::Mesh;
 use crate::params::Follow;
 
@@ -168,7 +167,7 @@ impl StoredPatches {
             seeds: patches.seeds.clone(),
             starts: patches.starts.clone(),
             entry_seeds: patches.entries.iter().map(|entry| entry.seed).collect(),
-            places: patches.packed().iter().flat_map(|entry| entry.places).collect(),
+            places: patches.entries.iter().flat_map(Entry::place_codes).collect(),
             shares: patches.entries.iter().flat_map(|entry| entry.share_codes(patches.lapped)).collect(),
             rows: patches.rows.clone(),
             tiles_per_unit: patches.tiles_per_unit,
@@ -229,6 +228,7 @@ mod tests {
     use super::*;
     use crate::mesh::prepare;
     use crate::mesh::sample::Sample;
+    use crate::surface::Corners;
     use crate::surface::{FieldOptions, LappedOptions, PatchOptions, StripeOptions};
 
     fn all() -> SurfaceOptions {
@@ -256,8 +256,9 @@ mod tests {
         assert_eq!(back.stripes, surface.stripes);
         for (found, expected) in [(&back.patches, &surface.patches), (&back.lapped, &surface.lapped)] {
             let [found, expected] = [found, expected].map(|patches| patches.as_ref().expect("patches"));
-            assert_eq!(found.packed(), expected.packed());
-            assert_eq!(found.packed_starts(), expected.packed_starts());
+            assert_eq!((&found.starts, &found.rows), (&expected.starts, &expected.rows));
+            let carried = [found, expected].map(|patches| Corners::of_patches(&mesh.triangles, patches));
+            assert!(carried[0] == carried[1], "what corners carry");
             let shares = |patches: &Patches| patches.entries.iter().map(|entry| entry.behind).collect::<Vec<_>>();
             assert!(shares(found) == shares(expected), "to the last bit");
             assert_eq!(found.seeds, expected.seeds);

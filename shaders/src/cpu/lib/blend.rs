@@ -1,14 +1,12 @@
 //! Twin of `lib/blend.wgsl`: patterns that overlap, by union or linearly.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
-use super::barycentric::corner_weights;
-use super::mapping::{Mapped, frame_place, map_surface, mean_footprint, pattern_count};
+use super::mapping::{Mapped, map_surface, mean_footprint, pattern_count};
 use super::material::tile_uv;
-use super::patches::{
-    MAX_PATCHES, OVERLAPS, Overlap, copies, overlap_weights, patch_place, seed_turn, turned_uv, unpack_tens,
-};
+use super::patches::{OVERLAPS, Overlap, copies, overlap_weights, seed_turn, turned_uv};
 use super::surface::Point;
+use crate::cpu::builtin::mix;
 use crate::cpu::{Bindings, Blend, Mapping, Options, Quad};
 
 /// What is left of the light at a darkness, as an exponent of 2: what the patterns of a union have in common.
@@ -57,7 +55,7 @@ pub fn patch_ink(
         return ink;
     }
     for copy in 0..copies(b.options.follow) {
-        let turn = seed_turn(b.options.follow, b.patches, seed, copy);
+        let turn = seed_turn(b.options.follow, b.turns, seed, copy);
         let weight = share * turn.w;
         if weight > 0.0 {
             let uv = turned_uv(b.material, place, turn);
@@ -79,25 +77,18 @@ pub fn patches_ink(b: &Bindings<'_>, overlap: &Overlap, tiles_per_px: f64, d: f6
     if b.options.blend == Blend::Linear { inks.sum() } else { 1.0 - inks.product::<f64>() }
 }
 
+/// One lapped texture painted over what lies under it.
+pub fn painted_ink(under: f64, alpha: f64, ink: impl Fn() -> f64) -> f64 {
+    if alpha <= 0.0 { under } else { mix(under, ink(), alpha.min(1.0)) }
+}
+
 /// Lapped textures, painted one over the other.
-pub fn lapped_ink(
-    b: &Bindings<'_>,
-    face: usize,
-    corners: DVec3,
-    tiles_per_px: f64,
-    d: f64,
-    pattern_ink: PatternInk<'_>,
-) -> f64 {
-    let (first, end) = (b.patches.starts[face] as usize, b.patches.starts[face + 1] as usize);
-    let mut ink = 0.0;
-    for entry in &b.patches.entries[first..end.min(first + MAX_PATCHES)] {
-        let alpha = unpack_tens(entry.shares).dot(corners).clamp(0.0, 1.0);
-        if alpha > 0.0 {
-            ink +=
-                alpha * (pattern_ink(tile_uv(b.material, patch_place(entry.places, corners)), tiles_per_px, d) - ink);
-        }
-    }
-    ink
+pub fn lapped_ink(b: &Bindings<'_>, overlap: &Overlap, tiles_per_px: f64, d: f64, pattern_ink: PatternInk<'_>) -> f64 {
+    let painted = |under, i: usize| {
+        let place = tile_uv(b.material, overlap.places[i]);
+        painted_ink(under, overlap.behind[i], || pattern_ink(place, tiles_per_px, d))
+    };
+    (0..OVERLAPS).fold(0.0, painted)
 }
 
 /// Ink of whatever lies on the surface at one fragment of a quad. `of_pattern` gives the ink of pattern `i` of the
@@ -121,6 +112,5 @@ pub fn surface_ink(
     if b.options.mapping == Mapping::Patches {
         return patches_ink(b, overlap, tiles_per_px, d, of_patch);
     }
-    let corners = corner_weights(&b.mesh, point.face, frame_place(form, b.scene, point.p_world));
-    lapped_ink(b, point.face, corners, tiles_per_px, d, of_patch)
+    lapped_ink(b, overlap, tiles_per_px, d, of_patch)
 }

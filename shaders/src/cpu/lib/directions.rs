@@ -4,13 +4,11 @@
 
 use glam::{DVec2, DVec3};
 
-use super::barycentric::Place;
 use super::face_frame::{complex_square, fixed_tangent, unpack_shares};
 use super::mapping::triplanar_weights;
 use super::material::Material;
 use super::octahedral::oct_decode;
-use super::patches::{MAX_PATCHES, OVERLAPS, Overlap, copies, overlap_weights, patch_place, seed_turn, unpack_tens};
-use super::stripes::stripe_slope;
+use super::patches::{OVERLAPS, Overlap, copies, overlap_weights, seed_turn};
 use super::surface::Point;
 use crate::cpu::{Bindings, Mapping, Quad};
 
@@ -82,7 +80,7 @@ pub fn patch_direction(b: &Bindings<'_>, st_dx: DVec2, st_dy: DVec2, seed: u32, 
         return DVec2::ZERO;
     }
     let of_copy = |copy| {
-        let turn = seed_turn(b.options.follow, b.patches, seed, copy);
+        let turn = seed_turn(b.options.follow, b.turns, seed, copy);
         weight * turn.w * pattern_direction(b.material, rotated(st_dx, turn.z), rotated(st_dy, turn.z))
     };
     (0..copies(b.options.follow)).map(of_copy).sum()
@@ -94,29 +92,22 @@ pub fn patches_direction(b: &Bindings<'_>, overlap: &Overlap, slopes: &OverlapSl
     (0..OVERLAPS).map(|i| patch_direction(b, slopes.dx[i], slopes.dy[i], overlap.seeds[i], weights[i])).sum()
 }
 
-/// Of lapped textures.
-pub fn lapped_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 {
-    let (first, end) = (b.patches.starts[face] as usize, b.patches.starts[face + 1] as usize);
-    let mut direction = DVec2::ZERO;
-    for entry in &b.patches.entries[first..end.min(first + MAX_PATCHES)] {
-        let alpha = unpack_tens(entry.shares).dot(place.weights).clamp(0.0, 1.0);
-        let [st_dx, st_dy] = [place.dx, place.dy].map(|change| patch_place(entry.places, change));
-        direction = direction.lerp(pattern_direction(b.material, st_dx, st_dy), alpha);
-    }
-    direction
+/// Of one lapped texture over the direction of what lies under it.
+pub fn painted_direction(material: &Material, under: DVec2, st_dx: DVec2, st_dy: DVec2, alpha: f64) -> DVec2 {
+    under.lerp(pattern_direction(material, st_dx, st_dy), alpha.clamp(0.0, 1.0))
 }
 
-/// Of the lines along the field.
-pub fn stripes_direction(b: &Bindings<'_>, face: usize, place: &Place) -> DVec2 {
-    let slope = |dw| stripe_slope(&b.stripes.along[face], place.weights, dw);
-    direction_across(DVec2::new(slope(place.dx), slope(place.dy)))
+/// Of lapped textures.
+pub fn lapped_direction(b: &Bindings<'_>, overlap: &Overlap, slopes: &OverlapSlopes) -> DVec2 {
+    (0..OVERLAPS).fold(DVec2::ZERO, |under, i| {
+        painted_direction(b.material, under, slopes.dx[i], slopes.dy[i], overlap.behind[i])
+    })
 }
 
 /// Of the mapping; `uv_dx` and `uv_dy` are changes of the point's uv.
 pub fn mapped_direction(
     b: &Bindings<'_>,
     point: &Point,
-    place: &Place,
     (overlap, slopes): (&Overlap, &OverlapSlopes),
     [dx, dy]: [DVec3; 2],
     [uv_dx, uv_dy]: [DVec2; 2],
@@ -125,7 +116,7 @@ pub fn mapped_direction(
         Mapping::Frames => frame_direction(b.material, point.framing, [uv_dx, uv_dy], [dx, dy]),
         Mapping::Triplanar => triplanar_direction(b.material, point.normal, dx, dy),
         Mapping::Patches => patches_direction(b, overlap, slopes),
-        Mapping::Lapped => lapped_direction(b, point.face, place),
+        Mapping::Lapped => lapped_direction(b, overlap, slopes),
         Mapping::Uv => pattern_direction(b.material, uv_dx, uv_dy),
     }
 }

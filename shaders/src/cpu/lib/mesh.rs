@@ -1,16 +1,14 @@
 //! Twin of `lib/mesh.wgsl`: the buffers of a mesh.
 
-use glam::{DVec2, DVec4};
+use glam::DVec4;
 
 use super::mesh_types::{FaceFrame, Vertex};
 
-/// The buffers of a mesh, as the passes read them. The vertex that carries a face's index has no twin.
+/// The buffers of a mesh, as passes read them that look at faces.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Mesh<'a> {
     /// One per vertex.
     pub vertices: &'a [Vertex],
-    /// One per vertex, or a single one where the mesh has no parametrisation.
-    pub uvs: &'a [DVec2],
     /// Three per face.
     pub indices: &'a [u32],
     /// Three per face: the face across the edge from corner k to corner k + 1, or `NO_FACE`.

@@ -1,34 +1,66 @@
-//! Twin of `lib/patched.wgsl`: the vertex stage of methods that draw with all mappings.
+//! Twin of `lib/patched.wgsl`: the vertex stages of methods that draw with all mappings, by what their vertices carry.
 
+use glam::{DVec2, DVec4};
+
+use super::faced::{face_of, pulled_vertex};
 use super::mapping::{frame_place, frame_st};
-use super::material::Material;
-use super::patches::{NO_SEED, Overlap, corner_overlap, corner_vertex};
+use super::mesh_types::Vertex;
+use super::patches::{NO_SEED, OVERLAPS, Overlap, carried_overlap, fetched};
 use super::scene::Scene;
-use super::surface::{FragmentIn, Point, VertexOut, mesh_vertex, surface_point, surface_vertex};
-use crate::cpu::{Bindings, Mapping};
+use super::surface::{FragmentIn, Point, VertexOut, surface_point, surface_vertex};
+use crate::cpu::Bindings;
+use crate::types::PatchCorner;
 
-/// What the vertex at an index hands on: where patches are drawn on, the index names a corner, with what it sees of them;
-/// where strokes lie by frames it counts three vertices to a face, and the first two seeds are shares and normal of the
+/// What a vertex hands on.
+pub fn patched(surface: VertexOut, overlap: Overlap) -> (VertexOut, Overlap) {
+    (surface, overlap)
+}
+
+/// What a vertex sees that sees no patches.
+pub fn no_overlap() -> Overlap {
+    Overlap { places: [DVec2::ZERO; OVERLAPS], behind: DVec4::ZERO, seeds: [NO_SEED; OVERLAPS] }
+}
+
+/// A vertex that carries nothing more.
+pub fn patched_vertex(b: &Bindings<'_>, vertex: &Vertex) -> (VertexOut, Overlap) {
+    patched(surface_vertex(b.scene, vertex, DVec2::ZERO), no_overlap())
+}
+
+/// A vertex with its uv.
+pub fn patched_uv(b: &Bindings<'_>, vertex: &Vertex, uv: DVec2) -> (VertexOut, Overlap) {
+    patched(surface_vertex(b.scene, vertex, uv), no_overlap())
+}
+
+/// A corner of a triangle.
+pub fn patched_corner(b: &Bindings<'_>, vertex: &Vertex, corner: &PatchCorner) -> (VertexOut, Overlap) {
+    patched_turning(b, vertex, corner, [NO_SEED; OVERLAPS])
+}
+
+/// The same of patches that turn with the light.
+pub fn patched_turning(
+    b: &Bindings<'_>,
+    vertex: &Vertex,
+    corner: &PatchCorner,
+    seeds: [u32; OVERLAPS],
+) -> (VertexOut, Overlap) {
+    let (places, behind) = fetched(corner);
+    let overlap = carried_overlap(b.options.mapping, places, behind, seeds);
+    patched(surface_vertex(b.scene, vertex, DVec2::ZERO), overlap)
+}
+
+/// Three vertices to a face, counted from the first face of the draw: the first two seeds are shares and normal of the
 /// face's frame.
-pub fn patched_vertex(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap) {
-    if b.options.mapping == Mapping::Patches {
-        return (mesh_vertex(b, corner_vertex(b.patches, index)), corner_overlap(b.options.follow, b.patches, index));
-    }
-    if b.options.mapping == Mapping::Frames {
-        let first = b.material.first_face;
-        let frame = &b.mesh.face_frames[(index / 3 + first) as usize];
-        let mut surface = mesh_vertex(b, b.mesh.indices[(index + 3 * first) as usize]);
-        surface.uv = frame_st(frame, frame_place(b.options.form, b.scene, surface.p_world));
-        let seeds = [frame.shares, frame.normal_oct, NO_SEED, NO_SEED];
-        return (surface, Overlap { seeds, ..Overlap::default() });
-    }
-    (surface_vertex(b, index), Overlap::default())
+pub fn patched_face(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap) {
+    let frame = &b.mesh.face_frames[face_of(b.material, index) as usize];
+    let mut surface = surface_vertex(b.scene, &pulled_vertex(b, index), DVec2::ZERO);
+    surface.uv = frame_st(frame, frame_place(b.options.form, b.scene, surface.p_world));
+    patched(surface, Overlap { seeds: [frame.shares, frame.normal_oct, NO_SEED, NO_SEED], ..no_overlap() })
 }
 
 /// A fragment's surface point, with the frame that its strokes lie by.
-pub fn patched_point(scene: &Scene, material: &Material, input: &FragmentIn, front: bool) -> Point {
+pub fn patched_point(scene: &Scene, input: &FragmentIn, front: bool) -> Point {
     let [shares, normal_oct, ..] = input.overlap.seeds;
-    Point { framing: [shares, normal_oct], ..surface_point(scene, material, input, front) }
+    Point { framing: [shares, normal_oct], ..surface_point(scene, input, front) }
 }
 
 /// What a fragment gets of the patches that overlap there.

@@ -4,8 +4,10 @@
 use std::f64::consts::TAU;
 
 use super::halftone::line_coverage;
-use super::patches::{NO_SEED, Patches, entry_seed, patch_place, patch_weight};
-use crate::cpu::Bindings;
+use glam::DVec3;
+
+use super::material::Material;
+use super::patches::{NO_SEED, OVERLAPS, Overlap, overlap_weights};
 use crate::cpu::builtin::mix;
 
 /// Length of a stroke of the coarsest lines, in tiles.
@@ -117,39 +119,58 @@ pub fn stroke_ink(stroke: Stroke, x: f64, strip: f64, k: f64, d: f64, variety: f
     line_coverage((x - shift).abs(), own * strip, k)
 }
 
-/// Sign and number that make a row of an entry's patch out of a phase; field 0 along, 1 across.
-pub fn entry_row(rows: &[u32], entry: usize, field: u32) -> [i32; 2] {
-    let half = ((rows[entry] << (16 - 16 * field)) as i32) >> 16;
+/// Sign and number that make a row of a patch out of a phase, from what a corner carries of it; field 0 along, 1 across.
+pub fn patch_row(code: u32, field: u32) -> [i32; 2] {
+    let half = ((code << (16 - 16 * field)) as i32) >> 16;
     [1 - 2 * (half & 1), half >> 1]
 }
 
-/// The stroke of a line at a fragment. `row` counts from the face's own phase 0, after `octave` doublings.
-pub fn patched_stroke(b: &Bindings<'_>, patches: &Patches, field: u32, row: i32, octave: u32, variety: f64) -> Stroke {
-    let tiles = b.material.tile_from_surface.truncate().truncate().length();
-    let (mut stroke, mut total) = (Stroke::default(), 0.0);
-    for i in 0..patches.count {
-        let weight = patch_weight(b.patches, patches, i);
-        if weight == 0.0 {
-            continue;
-        }
-        let entry = patches.first + i;
-        let seed = entry_seed(b.patches, entry);
-        if seed == NO_SEED {
-            total += 0.25 * weight * weight;
-            continue;
-        }
-        let [sign, number] = entry_row(b.patches.rows, entry, field);
-        let own_row = sign * row + (number << octave);
-        let born = row_octave(own_row, octave);
-        let line = own_row >> (octave - born);
-        let key = row_key(2 * seed + field, line, born);
-        let along = tiles * patch_place(b.patches.entries[entry].places, patches.corners)[field as usize];
-        let pull = weight * (0.1 + 0.9 * lot(key, 2));
-        let share = pull * pull;
-        let own = stroke_at(key, line, born, along, variety);
-        stroke.swell += share * own.swell;
-        stroke.waver += weight * f64::from(sign) * own.waver;
-        total += share;
+/// A line of a field: its row, counted from the triangle's own phase 0 after some doublings, and their number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// 0 along, 1 across.
+    pub field: u32,
+    /// After the doublings.
+    pub row: i32,
+    /// Doublings.
+    pub octave: u32,
+}
+
+/// What one patch gives to the stroke of a line: swell and waver by its weight, and the weight of the swell. `along` is its
+/// place, in tiles.
+pub fn patch_stroke(weight: f64, [seed, code]: [u32; 2], along: f64, line: Line, variety: f64) -> DVec3 {
+    let Line { field, row, octave } = line;
+    if weight == 0.0 {
+        return DVec3::ZERO;
     }
-    Stroke { swell: stroke.swell / total.max(1e-12), ..stroke }
+    if seed == NO_SEED {
+        return DVec3::new(0.0, 0.0, 0.25 * weight * weight);
+    }
+    let [sign, number] = patch_row(code, field);
+    let own_row = sign * row + (number << octave);
+    let born = row_octave(own_row, octave);
+    let line = own_row >> (octave - born);
+    let key = row_key(2 * seed + field, line, born);
+    let pull = weight * (0.1 + 0.9 * lot(key, 2));
+    let share = pull * pull;
+    let stroke = stroke_at(key, line, born, along, variety);
+    DVec3::new(share * stroke.swell, weight * f64::from(sign) * stroke.waver, share)
+}
+
+/// The stroke of a line at a fragment.
+pub fn patched_stroke(
+    material: &Material,
+    overlap: &Overlap,
+    rows: [u32; OVERLAPS],
+    line: Line,
+    variety: f64,
+) -> Stroke {
+    let tiles = material.tile_from_surface.truncate().truncate().length();
+    let weights = overlap_weights(overlap.behind).to_array();
+    let of_patch = |i: usize| {
+        let along = tiles * overlap.places[i][line.field as usize];
+        patch_stroke(weights[i], [overlap.seeds[i], rows[i]], along, line, variety)
+    };
+    let sum: DVec3 = (0..OVERLAPS).map(of_patch).sum();
+    Stroke { swell: sum.x / sum.z.max(1e-12), waver: sum.y }
 }

@@ -3,10 +3,10 @@
 use glam::{DVec2, DVec3, DVec4};
 
 use super::material::Material;
+use super::mesh_types::Vertex;
 use super::octahedral::oct_decode;
 use super::patches::Overlap;
 use super::scene::Scene;
-use crate::cpu::Bindings;
 use crate::cpu::builtin::inverse_sqrt;
 
 /// What the vertex stage hands on.
@@ -29,12 +29,16 @@ pub struct FragmentIn {
     pub p_world: DVec3,
     /// Smooth normal in the world, not unit.
     pub normal: DVec3,
-    /// The mesh's own coordinates.
+    /// The mesh's own coordinates, the place in a frame, or phases of lines.
     pub uv: DVec2,
-    /// Triangle, counted from the first of the draw.
-    pub primitive: u32,
     /// The patches that overlap here, for passes that draw on them.
     pub overlap: Overlap,
+    /// Where lines end: weights of a side's corners, and windings of both phases.
+    pub ring: DVec4,
+    /// Rows of lines on the patches; the same for all corners of a triangle.
+    pub rows: [u32; 4],
+    /// Triangle of the mesh, for passes that are told.
+    pub face: u32,
 }
 
 /// A surface point, as a fragment sees it.
@@ -50,36 +54,23 @@ pub struct Point {
     pub depth: f64,
     /// The mesh's own coordinates; in the mapping by frames the place in the frame.
     pub uv: DVec2,
-    /// Triangle of the mesh.
-    pub face: usize,
     /// There: shares and normal of the frame, as `FaceFrame` has them.
     pub framing: [u32; 2],
 }
 
-/// Triangle of the mesh that a fragment lies on.
-pub fn face_of(material: &Material, input: &FragmentIn) -> usize {
-    (input.primitive + material.first_face) as usize
-}
-
-/// A vertex of the mesh on its way to the screen.
-pub fn mesh_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
-    let vertex = b.mesh.vertices[index as usize];
-    let p = b.scene.world_from_mesh * vertex.position.extend(1.0);
+/// A vertex on its way to the screen.
+pub fn surface_vertex(scene: &Scene, vertex: &Vertex, uv: DVec2) -> VertexOut {
+    let p = scene.world_from_mesh * vertex.position.extend(1.0);
     VertexOut {
-        clip: b.scene.clip_from_world * p,
+        clip: scene.clip_from_world * p,
         p_world: p.truncate(),
-        normal: (b.scene.world_from_mesh_normal * oct_decode(vertex.normal_oct).extend(0.0)).truncate(),
-        uv: b.mesh.uvs[(index as usize).min(b.mesh.uvs.len() - 1)],
+        normal: (scene.world_from_mesh_normal * oct_decode(vertex.normal_oct).extend(0.0)).truncate(),
+        uv,
     }
 }
 
-/// The vertex at a place of the index buffer, which is that vertex.
-pub fn surface_vertex(b: &Bindings<'_>, index: u32) -> VertexOut {
-    mesh_vertex(b, index)
-}
-
 /// A fragment's surface point; `front`: its front is seen.
-pub fn surface_point(scene: &Scene, material: &Material, input: &FragmentIn, front: bool) -> Point {
+pub fn surface_point(scene: &Scene, input: &FragmentIn, front: bool) -> Point {
     let n = input.normal * inverse_sqrt(input.normal.dot(input.normal).max(1e-20));
     let to_camera = scene.to_camera(input.p_world);
     Point {
@@ -88,7 +79,6 @@ pub fn surface_point(scene: &Scene, material: &Material, input: &FragmentIn, fro
         view: to_camera * inverse_sqrt(to_camera.dot(to_camera).max(1e-20)),
         depth: (-to_camera.dot(scene.camera_forward)).max(1e-6),
         uv: input.uv,
-        face: face_of(material, input),
         framing: [0; 2],
     }
 }

@@ -2,22 +2,22 @@
 
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
-use tam_shaders::cpu::lib::barycentric::Place;
+use tam_shaders::cpu::debug::stripes_direction;
 use tam_shaders::cpu::lib::directions::{
-    OverlapSlopes, direction_across, frame_direction, lapped_direction, mapped_direction, patch_direction,
-    patches_direction, pattern_direction, rotated, stripes_direction, triplanar_direction,
+    OverlapSlopes, direction_across, frame_direction, lapped_direction, mapped_direction, painted_direction,
+    patch_direction, patches_direction, pattern_direction, rotated, triplanar_direction,
 };
 use tam_shaders::cpu::lib::face_frame::fixed_tangent;
 use tam_shaders::cpu::lib::octahedral::oct_decode;
-use tam_shaders::cpu::lib::patches::{MAX_PATCHES, copies, corner_overlap, patch_place, seed_turn};
-use tam_shaders::cpu::lib::stripes::stripe_slope;
+use tam_shaders::cpu::lib::patches::{copies, seed_turn};
+use tam_shaders::cpu::lib::striped::Phase;
 use tam_shaders::cpu::lib::surface::Point;
 use tam_shaders::cpu::{Bindings, Follow, Mapping, Options};
 
 use super::{two, xy};
 use crate::draw::{Case, Draw, OWN, single};
 use crate::row::{Row, U, row};
-use crate::setting::FACES;
+use crate::setting::{Corner, FACES};
 
 /// A gradient is a sum of a dozen products and left out where a hundredth of them remains; sine and cosine are off by
 /// 1e-6 more.
@@ -68,37 +68,47 @@ pub(crate) fn rows() -> Vec<Row> {
         row(
             "patches_direction",
             Pass::Debug,
-            "vec4f(patches_direction(corner_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
+            "vec4f(patches_direction(case_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
             steps,
         )
-            .twin(|b, case| two(patches_direction(b, &corner_overlap(b.options.follow, b.patches, case[3].w as u32), &slopes(case))))
+            .twin(|b, case| two(patches_direction(b, &Corner::new(case[3].w as usize).overlap(b.options), &slopes(case))))
             .in_options([mapped(Mapping::Patches), following])
             .except_where(corner_is_short)
             .within(DIRECTION, 0.0),
-        row("lapped_direction", Pass::Debug, "vec4f(lapped_direction(u32(d.w), Place(a.xyz, b.xyz, c.xyz)), 0.0, 0.0)", steps)
-            .twin(|b, case| two(lapped_direction(b, case[3].w as usize, &place(case))))
-            .except_where(patches_are_short)
+        row("painted_direction", Pass::Debug, "vec4f(painted_direction(d.xy, b.xy, c.xy, 1.4 * a.w - 0.2), 0.0, 0.0)", steps)
+            .twin(|b, case| {
+                let alpha = 1.4 * case[0].w - 0.2;
+                two(painted_direction(b.material, xy(case[3]), xy(case[1]), xy(case[2]), alpha))
+            })
+            .except_where(|b, case| is_short(b, case, 1.0, DVec3::X, DVec3::Y))
             .within(DIRECTION, 0.0),
-        row("stripes_direction", Pass::Debug, "vec4f(stripes_direction(u32(d.w), Place(a.xyz, b.xyz, c.xyz)), 0.0, 0.0)", steps)
-            .twin(|b, case| two(stripes_direction(b, case[3].w as usize, &place(case))))
-            .except_where(stripes_are_short)
-            // Slopes of a winding are off by 5e3 round-offs, as said there, and 0.05 of the steps long at least.
-            .within(5e3 * U / 0.05, 0.0),
+        row(
+            "lapped_direction",
+            Pass::Debug,
+            "vec4f(lapped_direction(case_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
+            steps,
+        )
+        .twin(|b, case| two(lapped_direction(b, &Corner::new(case[3].w as usize).overlap(b.options), &slopes(case))))
+        .in_options([mapped(Mapping::Lapped)])
+        .except_where(corner_is_short)
+        .within(DIRECTION, 0.0),
+        row("stripes_direction", Pass::Debug, "vec4f(stripes_direction(Phase(a.x, b.xy * b.w)), 0.0, 0.0)", steps)
+            .twin(|_, case| two(stripes_direction(&Phase { at: case[0].x, slope: xy(case[1]) * case[1].w })))
+            .within(32.0 * U, 0.0),
         row(
             "mapped_direction",
             Pass::Debug,
-            "vec4f(mapped_direction(Point(a.xyz, d.xyz, d.xyz, 1.0, a.xy, u32(d.w), \
-             vec2u(face_frames[u32(d.w)].shares, face_frames[u32(d.w)].normal_oct)), Place(a.xyz, b.xyz, c.xyz), \
-             corner_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx), b.xyz, c.xyz, b.xy, c.xy), 0.0, 0.0)",
+            "vec4f(mapped_direction(Point(a.xyz, d.xyz, d.xyz, 1.0, a.xy, \
+             vec2u(face_frames[u32(d.w)].shares, face_frames[u32(d.w)].normal_oct)), case_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx), b.xyz, c.xyz, b.xy, c.xy), 0.0, 0.0)",
             steps,
         )
         .twin(|b, case| {
             let [p, dx, dy, n] = [0, 1, 2, 3].map(|i: usize| case[i].truncate());
             let face = case[3].w as usize;
             let framing = [b.mesh.face_frames[face].shares, b.mesh.face_frames[face].normal_oct];
-            let point = Point { p_world: p, normal: n, view: n, depth: 1.0, uv: xy(case[0]), face, framing };
-            let overlap = (&corner_overlap(b.options.follow, b.patches, case[3].w as u32), &slopes(case));
-            two(mapped_direction(b, &point, &place(case), overlap, [dx, dy], [xy(case[1]), xy(case[2])]))
+            let point = Point { p_world: p, normal: n, view: n, depth: 1.0, uv: xy(case[0]), framing };
+            let overlap = (&Corner::new(case[3].w as usize).overlap(b.options), &slopes(case));
+            two(mapped_direction(b, &point, overlap, [dx, dy], [xy(case[1]), xy(case[2])]))
         })
         .in_options(
             [Mapping::Uv, Mapping::Frames, Mapping::Triplanar, Mapping::Patches, Mapping::Lapped].map(mapped),
@@ -107,8 +117,7 @@ pub(crate) fn rows() -> Vec<Row> {
             Mapping::Uv => is_short(b, case, 1.0, DVec3::X, DVec3::Y),
             Mapping::Frames => frame_is_short(b, case),
             Mapping::Triplanar => planes_are_short(b, case),
-            Mapping::Patches => corner_is_short(b, case),
-            Mapping::Lapped => patches_are_short(b, case),
+            Mapping::Patches | Mapping::Lapped => corner_is_short(b, case),
         })
         .within(DIRECTION + 2e-4, 0.0),
     ]
@@ -128,10 +137,6 @@ fn steps(draw: &Draw) -> Case {
         draw.place_within(OWN + 20, step).extend(0.0),
         draw.direction(OWN + 30).extend(draw.pick(OWN + 40, FACES) as f64),
     ]
-}
-
-fn place(case: &Case) -> Place {
-    Place { weights: case[0].truncate(), dx: case[1].truncate(), dy: case[2].truncate() }
 }
 
 /// Whether a gradient is short beside the terms it is a sum of, which are `scale` times the steps.
@@ -165,33 +170,15 @@ fn slopes(case: &Case) -> OverlapSlopes {
 }
 
 fn corner_is_short(b: &Bindings<'_>, case: &Case) -> bool {
-    seeds_are_short(b, case, &corner_overlap(b.options.follow, b.patches, case[3].w as u32).seeds)
+    seeds_are_short(b, case, &Corner::new(case[3].w as usize).overlap(b.options).seeds)
 }
 
 /// Any of the changes of [`slopes`], turned as any copy of these seeds' patches.
 fn seeds_are_short(b: &Bindings<'_>, case: &Case, seeds: &[u32]) -> bool {
     let (m, slopes) = (b.material.tile_from_surface, slopes(case));
     seeds.iter().flat_map(|seed| (0..copies(b.options.follow)).map(move |copy| (*seed, copy))).any(|(seed, copy)| {
-        let angle = seed_turn(b.options.follow, b.patches, seed, copy).z;
+        let angle = seed_turn(b.options.follow, b.turns, seed, copy).z;
         let v = |st: DVec2| DVec2::new(m.z, m.w).dot(rotated(st, angle));
         (0..4).any(|i| short(case, 1.0, DVec2::new(v(slopes.dx[i]), v(slopes.dy[i]))))
     })
-}
-
-/// Any patch of the face. Places are within 2 tiles.
-fn patches_are_short(b: &Bindings<'_>, case: &Case) -> bool {
-    let face = case[3].w as usize;
-    let (first, end) = (b.patches.starts[face] as usize, b.patches.starts[face + 1] as usize);
-    let m = b.material.tile_from_surface;
-    (first..end.min(first + MAX_PATCHES)).any(|entry| {
-        let st = |change: DVec4| patch_place(b.patches.entries[entry].places, change.truncate());
-        let v = |change: DVec4| DVec2::new(m.z, m.w).dot(st(change));
-        short(case, 2.0, DVec2::new(v(case[1]), v(case[2])))
-    })
-}
-
-fn stripes_are_short(b: &Bindings<'_>, case: &Case) -> bool {
-    let s = &b.stripes.along[case[3].w as usize];
-    let slope = |change: DVec4| stripe_slope(s, case[0].truncate(), change.truncate());
-    short(case, 5.0, DVec2::new(slope(case[1]), slope(case[2]))) || case[0].truncate().min_element() > 1.0 / 3.0 - 0.02
 }

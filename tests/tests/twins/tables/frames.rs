@@ -225,7 +225,7 @@ fn blend_rows() -> Vec<Row> {
         )
         .twin(|b, case| {
             let point = point(case);
-            let shares = unpack_shares(b.mesh.face_frames[point.face].shares);
+            let shares = unpack_shares(b.mesh.face_frames[case[3].z as usize].shares);
             let patterns = frame_patterns(b.material, point.p_world, point.uv, point.normal, shares);
             one(contributed_ink(b, &point, point.normal, &patterns, case[2].w))
         })
@@ -240,7 +240,7 @@ fn blend_rows() -> Vec<Row> {
         )
         .twin(|b, case| {
             let point = point(case);
-            one(face_frame::face_ink(b, &point, point.p_world, point.face, case[3].w > 0.5, case[2].w))
+            one(face_frame::face_ink(b, &point, point.p_world, case[3].z as usize, case[3].w > 0.5, case[2].w))
         })
         .in_both_forms()
         .except_where(|b, case| {

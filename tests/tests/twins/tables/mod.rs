@@ -13,6 +13,8 @@ mod surface;
 
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::cpu::Bindings;
+use tam_shaders::cpu::lib::mesh_types::Vertex;
+use tam_shaders::cpu::lib::octahedral::oct_encode;
 use tam_shaders::cpu::lib::surface::Point;
 
 use crate::draw::{Case, Draw, OWN};
@@ -52,7 +54,6 @@ pub(crate) fn point(case: &Case) -> Point {
         view: case[2].truncate(),
         depth: case[0].w,
         uv: xy(case[3]),
-        face: case[3].z as usize,
         framing: [0; 2],
     }
 }
@@ -61,6 +62,11 @@ pub(crate) fn point(case: &Case) -> Point {
 pub(crate) fn framed_point(b: &Bindings<'_>, case: &Case) -> Point {
     let frame = &b.mesh.face_frames[case[3].z as usize];
     Point { framing: [frame.shares, frame.normal_oct], ..point(case) }
+}
+
+/// A vertex at the place of [`any_point`], with its normal.
+pub(crate) fn vertex_of(case: &Case) -> Vertex {
+    Vertex { position: case[0].truncate(), normal_oct: oct_encode(case[1].truncate()) }
 }
 
 /// The first two components.

@@ -2,18 +2,17 @@
 
 use glam::DVec4;
 use tam_shaders::Pass;
-use tam_shaders::cpu::lib::patches::{entry_seed, patches_at};
 use tam_shaders::cpu::lib::strokes::{
-    Stroke, cell_start, entry_row, greatest_swell, lot, mixed_bits, patched_stroke, row_key, row_octave, row_shift,
-    stroke_at, stroke_darkness, stroke_gap, stroke_ink, stroke_profile, stroke_reach,
+    Line, Stroke, cell_start, greatest_swell, lot, mixed_bits, patch_row, patch_stroke, patched_stroke, row_key,
+    row_octave, row_shift, stroke_at, stroke_darkness, stroke_gap, stroke_ink, stroke_profile, stroke_reach,
 };
 use tam_shaders::cpu::stripes::varied_ink;
-use tam_shaders::cpu::{Bindings, Options};
+use tam_shaders::cpu::{Bindings, Mapping, Options};
 
-use super::{one, two};
+use super::{one, three, two};
 use crate::draw::{Case, Draw, OWN};
 use crate::row::{Row, U, row};
-use crate::setting::FACES;
+use crate::setting::{Corner, FACES};
 
 /// No strip is so narrow and no swell so great that a number is sharpened by more.
 const SHARPENED: f64 = 64.0;
@@ -96,37 +95,47 @@ fn strokes() -> Vec<Row> {
 
 fn on_patches() -> Vec<Row> {
     vec![
-        row("entry_seed", Pass::FineTone, "vec4f(f32(entry_seed(u32(d.x))), 0.0, 0.0, 0.0)", lines)
-            .twin(|b, case| one(entry_seed(b.patches, case[3].x as usize).into()))
-            .within(1e-30, U),
-        row("entry_row", Pass::Stripes, "vec4f(vec2f(entry_row(u32(d.x), u32(d.y))), 0.0, 0.0)", lines)
-            .twin(|b, case| {
-                let [sign, number] = entry_row(b.patches.rows, case[3].x as usize, case[3].y as u32);
+        row("patch_row", Pass::Stripes, "vec4f(vec2f(patch_row(case_rows(u32(d.z)).x, u32(d.y))), 0.0, 0.0)", lines)
+            .twin(|_, case| {
+                let [sign, number] = patch_row(corner(case).rows[0], case[3].y as u32);
                 DVec4::new(sign.into(), number.into(), 0.0, 0.0)
             })
             .within(1e-30, 0.0),
+        // A stroke at a place within 4 tiles, which are cut into up to 40 cells.
+        row(
+            "patch_stroke",
+            Pass::Stripes,
+            "vec4f(patch_stroke(a.y, case_overlap(u32(d.z)).seeds.x, case_rows(u32(d.z)).x, c.x, u32(d.y), i32(b.y), \
+             u32(b.w), a.x), 0.0)",
+            lines,
+        )
+        .twin(|_, case| {
+            let corner = corner(case);
+            three(patch_stroke(case[0].y, [corner.seeds[0], corner.rows[0]], case[2].x, line(case), case[0].x))
+        })
+        .within(2e-4 + 64.0 * 4.0 * 20.0 * U, 0.0),
         // Means of strokes, weighted by fourth powers; places within 4 tiles are cut into up to 40 cells.
         row(
             "patched_stroke",
             Pass::Stripes,
-            "stroked(patched_stroke(patches_at(u32(d.z), vec3f(a.yz, 1.0 - a.y - a.z)), u32(d.y), i32(b.y), u32(b.w), a.x))",
+            "stroked(patched_stroke(case_overlap(u32(d.z)), case_rows(u32(d.z)), u32(d.y), i32(b.y), u32(b.w), a.x))",
             lines,
         )
         .twin(|b, case| {
-            let patches = patches_at(b.patches, case[3].z as usize, corners(case));
-            let [shape, key, ..] = *case;
-            stroked(patched_stroke(b, &patches, case[3].y as u32, key.y as i32, key.w as u32, shape.x))
+            let corner = corner(case);
+            stroked(patched_stroke(b.material, &corner.overlap(b.options), corner.rows, line(case), case[0].x))
         })
+        .in_options([Options { mapping: Mapping::Patches, ..Options::default() }])
         .within(2e-4 + 64.0 * 4.0 * 20.0 * 4.0 * U, 0.0),
         // Two strokes at most, sharpened by pixels down to a hundredth of a line.
         row(
             "varied_ink",
             Pass::Stripes,
-            "vec4f(varied_ink(patches_at(u32(d.z), vec3f(a.yz, 1.0 - a.y - a.z)), u32(d.y), c.x, d.w, 5.0, a.w), 0.0, 0.0, 0.0)",
+            "vec4f(varied_ink(case_overlap(u32(d.z)), case_rows(u32(d.z)), u32(d.y), c.x, d.w, 5.0, a.w), 0.0, 0.0, 0.0)",
             lines,
         )
         .twin(|b, case| one(ink(b, case)))
-        .in_options([Options { varied: true, ..Options::default() }])
+        .in_options([Options { mapping: Mapping::Patches, ..Options::default() }])
         .except_where(|b, case| {
             // Half-way between two lines the nearer one changes.
             let nearby = [-1e-4, 1e-4].map(|step| {
@@ -141,13 +150,17 @@ fn on_patches() -> Vec<Row> {
 }
 
 fn ink(b: &Bindings<'_>, case: &Case) -> f64 {
-    let patches = patches_at(b.patches, case[3].z as usize, corners(case));
-    varied_ink(b, &patches, case[3].y as u32, case[2].x, case[3].w, case[0].w)
+    let corner = corner(case);
+    let counted = (&corner.overlap(b.options), corner.rows);
+    varied_ink(b.material, counted, case[3].y as u32, case[2].x, case[3].w, case[0].w)
 }
 
-fn corners(case: &Case) -> glam::DVec3 {
-    let [y, z] = [case[0].y, case[0].z];
-    glam::DVec3::new(y, z, 1.0 - y - z)
+fn corner(case: &Case) -> Corner {
+    Corner::new(case[3].z as usize)
+}
+
+fn line(case: &Case) -> Line {
+    Line { field: case[3].y as u32, row: case[1].y as i32, octave: case[1].w as u32 }
 }
 
 fn stroked(stroke: Stroke) -> DVec4 {
@@ -155,7 +168,7 @@ fn stroked(stroke: Stroke) -> DVec4 {
 }
 
 /// Variety, two weights of corners, a tone; a key, a row, a cell, an octave; a place along or a phase, a waver, a swell,
-/// a place across; an entry, a field, a face, and a slope of the phase.
+/// a place across; none, a field, a corner, and a slope of the phase.
 fn lines(draw: &Draw) -> Case {
     let row = draw.pick(OWN + 11, 2001) as f64 - 1000.0;
     let weight = |slot| draw.between(OWN + slot, 0.05, 0.45);

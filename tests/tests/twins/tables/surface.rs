@@ -3,14 +3,15 @@
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::face_frame::unpack_shares;
+use tam_shaders::cpu::lib::faced::{face_of, faced_vertex, pulled_vertex};
 use tam_shaders::cpu::lib::mapping::{
     Mapped, footprint, frame_patterns, frame_place, frame_st, map_frames, map_surface, map_triplanar, map_uv,
     mean_footprint, pattern_count, triplanar_weights,
 };
-use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, face_of, mesh_vertex, surface_point, surface_vertex};
-use tam_shaders::cpu::{Mapping, Options};
+use tam_shaders::cpu::lib::surface::{FragmentIn, drawn, surface_point, surface_vertex};
+use tam_shaders::cpu::{Bindings, Mapping, Options};
 
-use super::{any_point, framed_point, one, point, three, two, xy};
+use super::{any_point, framed_point, one, point, three, two, vertex_of, xy};
 use crate::draw::{Case, Draw, OWN};
 use crate::row::{Row, U, row};
 
@@ -21,24 +22,50 @@ pub(crate) fn rows() -> Vec<Row> {
 }
 
 fn surface_rows() -> Vec<Row> {
-    let vertex = |draw: &Draw| [one(draw.pick(OWN, 48) as f64), DVec4::ZERO, DVec4::ZERO, DVec4::ZERO];
+    let vertex = "VertexIn(a.xyz, oct_encode(b.xyz))";
+    let of_vertex =
+        |name: &'static str, call: &str| row(name, Pass::Phong, call.replace("VERTEX", vertex).leak(), any_point);
+    let twin = |b: &Bindings<'_>, case: &Case| surface_vertex(b.scene, &vertex_of(case), xy(case[3]));
     vec![
         // Two matrices times a point; clip coordinates are below 10.
-        row("surface_vertex", Pass::Phong, "surface_vertex(u32(a.x)).clip", vertex)
-            .twin(|b, case| surface_vertex(b, case[0].x as u32).clip)
+        of_vertex("surface_vertex", "surface_vertex(VERTEX, d.xy).clip")
+            .twin(move |b, case| twin(b, case).clip)
             .within(64.0 * U, 0.0),
-        row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).p_world, 0.0)", vertex)
-            .twin(|b, case| three(surface_vertex(b, case[0].x as u32).p_world))
+        of_vertex("surface_vertex", "vec4f(surface_vertex(VERTEX, d.xy).p_world, 0.0)")
+            .twin(move |b, case| three(twin(b, case).p_world))
             .within(16.0 * U, 0.0),
-        row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).normal, 0.0)", vertex)
-            .twin(|b, case| three(surface_vertex(b, case[0].x as u32).normal))
-            .within(16.0 * U, 0.0),
-        row("surface_vertex", Pass::Phong, "vec4f(surface_vertex(u32(a.x)).uv, 0.0, 0.0)", vertex)
-            .twin(|b, case| two(surface_vertex(b, case[0].x as u32).uv))
+        // A step of the code turns the normal by 6e-5 where rounding decides.
+        of_vertex("surface_vertex", "vec4f(surface_vertex(VERTEX, d.xy).normal, 0.0)")
+            .twin(move |b, case| three(twin(b, case).normal))
+            .within(2e-4, 0.0),
+        of_vertex("surface_vertex", "vec4f(surface_vertex(VERTEX, d.xy).uv, 0.0, 0.0)")
+            .twin(move |b, case| two(twin(b, case).uv))
             .within(1e-30, 0.0),
-        row("mesh_vertex", Pass::Phong, "mesh_vertex(u32(a.x)).clip", vertex)
-            .twin(|b, case| mesh_vertex(b, case[0].x as u32).clip)
-            .within(64.0 * U, 0.0),
+        row("face_of", Pass::FaceFrame, "vec4f(f32(face_of(u32(d.z))), 0.0, 0.0, 0.0)", any_point)
+            .twin(|b, case| one(face_of(b.material, case[3].z as u32).into()))
+            .within(1e-30, 0.0),
+        row(
+            "pulled_vertex",
+            Pass::FaceFrame,
+            "vec4f(pulled_vertex(u32(d.z)).position, f32(pulled_vertex(u32(d.z)).normal_oct >> 8u))",
+            any_point,
+        )
+        .twin(|b, case| {
+            let vertex = pulled_vertex(b, case[3].z as u32);
+            vertex.position.extend(f64::from(vertex.normal_oct >> 8))
+        })
+        .within(1e-30, 0.0),
+        row(
+            "faced_vertex",
+            Pass::FaceFrame,
+            "vec4f(faced_vertex(u32(d.z)).p_world, f32(faced_vertex(u32(d.z)).face))",
+            any_point,
+        )
+        .twin(|b, case| {
+            let (surface, face) = faced_vertex(b, case[3].z as u32);
+            surface.p_world.extend(face.into())
+        })
+        .within(16.0 * U, 0.0),
         row("to_camera", Pass::Phong, "vec4f(to_camera(a.xyz), 0.0)", fragments)
             .twin(|b, case| three(b.scene.to_camera(case[0].truncate())))
             .within(16.0 * U, 0.0),
@@ -46,35 +73,27 @@ fn surface_rows() -> Vec<Row> {
         row(
             "surface_point",
             Pass::Phong,
-            "vec4f(surface_point(FragmentIn(a.xyz, b.xyz * b.w, d.xy, u32(d.z)), d.w > 0.5).normal, \
-             surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).depth)",
+            "vec4f(surface_point(FragmentIn(a.xyz, b.xyz * b.w, d.xy), d.w > 0.5).normal, \
+             surface_point(FragmentIn(a.xyz, b.xyz, d.xy), true).depth)",
             fragments,
         )
         .twin(|b, case| {
-            let of = |scale: f64, front| surface_point(b.scene, b.material, &input(case, scale), front);
+            let of = |scale: f64, front| surface_point(b.scene, &input(case, scale), front);
             of(case[1].w, case[3].w > 0.5).normal.extend(of(1.0, true).depth)
         })
         .within(32.0 * U, 0.0),
         row(
             "surface_point",
             Pass::Phong,
-            "vec4f(surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).view, \
-             surface_point(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)), true).uv.y)",
+            "vec4f(surface_point(FragmentIn(a.xyz, b.xyz, d.xy), true).view, \
+             surface_point(FragmentIn(a.xyz, b.xyz, d.xy), true).uv.y)",
             fragments,
         )
         .twin(|b, case| {
-            let point = surface_point(b.scene, b.material, &input(case, 1.0), true);
+            let point = surface_point(b.scene, &input(case, 1.0), true);
             point.view.extend(point.uv.y)
         })
         .within(16.0 * U, 0.0),
-        row(
-            "face_of",
-            Pass::Phong,
-            "vec4f(f32(face_of(FragmentIn(a.xyz, b.xyz, d.xy, u32(d.z)))), 0.0, 0.0, 0.0)",
-            fragments,
-        )
-        .twin(|b, case| one(face_of(b.material, &input(case, 1.0)) as f64))
-        .within(1e-30, 0.0),
         row("drawn", Pass::Phong, "drawn(d.w)", fragments)
             .twin(|b, case| drawn(b.scene, b.material, case[3].w))
             .within(4.0 * U, 0.0),
@@ -134,11 +153,11 @@ fn mapping_rows() -> Vec<Row> {
         row("frame_st", Pass::StrokeMap, "vec4f(frame_st(face_frames[u32(d.z)], a.xyz), 0.0, 0.0)", any_point)
             .twin(|b, case| two(frame_st(&b.mesh.face_frames[case[3].z as usize], case[0].truncate())))
             .within(16.0 * U, 0.0),
-        row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).a)", any_point)
+        row("map_frames", Pass::StrokeMap, "patterned(map_frames(framed_point(a, b, c, d)).a)", any_point)
             .twin(|b, case| patterned(&map_frames(b, &framed_point(b, case)), 0))
             .in_both_forms()
             .within(128.0 * U, 0.0),
-        row("map_frames", Pass::StrokeMap, "patterned(map_frames(case_point(a, b, c, d)).c)", any_point)
+        row("map_frames", Pass::StrokeMap, "patterned(map_frames(framed_point(a, b, c, d)).c)", any_point)
             .twin(|b, case| patterned(&map_frames(b, &framed_point(b, case)), 2))
             .in_both_forms()
             .within(128.0 * U, 0.0),
@@ -159,8 +178,8 @@ fn mapping_rows() -> Vec<Row> {
         row(
             "map_surface",
             Pass::StrokeMap,
-            "vec4f(map_surface(case_point(a, b, c, d)).a.uv, map_surface(case_point(a, b, c, \
-             d)).a.weight, map_surface(case_point(a, b, c, d)).tiles_per_px)",
+            "vec4f(map_surface(framed_point(a, b, c, d)).a.uv, map_surface(framed_point(a, b, c, \
+             d)).a.weight, map_surface(framed_point(a, b, c, d)).tiles_per_px)",
             smooth_point,
         )
         .quad_twin(|b, quad, lane| {
@@ -172,7 +191,7 @@ fn mapping_rows() -> Vec<Row> {
         row(
             "pattern_count",
             Pass::StrokeMap,
-            "vec4f(f32(pattern_count(map_frames(case_point(a, b, c, d)))), 0.0, 0.0, 0.0)",
+            "vec4f(f32(pattern_count(map_frames(framed_point(a, b, c, d)))), 0.0, 0.0, 0.0)",
             any_point,
         )
         .twin(|b, case| one(pattern_count(b.options.mapping, &map_frames(b, &framed_point(b, case))) as f64))
@@ -189,7 +208,7 @@ fn patterned(mapped: &Mapped, k: usize) -> DVec4 {
 fn input(case: &Case, scale: f64) -> FragmentIn {
     let normal = case[1].truncate() * scale;
     let (p_world, uv) = (case[0].truncate(), xy(case[3]));
-    FragmentIn { p_world, normal, uv, primitive: case[3].z as u32, ..FragmentIn::default() }
+    FragmentIn { p_world, normal, uv, ..FragmentIn::default() }
 }
 
 /// A point with a normal of some length, or none; in one case of twenty at the camera.

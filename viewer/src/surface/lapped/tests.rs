@@ -294,10 +294,9 @@ fn outlines_are_irregular_and_no_edge_steps_over_them() {
 #[test]
 fn alphas_reach_the_shaders_whole() {
     let entry = Entry { seed: 0, uv: [Vec2::ZERO; 3], behind: [1.0, 0.5, 0.0] };
-    let codes = |code: u32| [code & 1023, (code >> 10) & 1023, (code >> 20) & 1023];
-    assert_eq!(codes(entry.packed(true).shares), [1023, 512, 0]);
+    assert_eq!(entry.share_codes(true), [65_535, 32_768, 0]);
     // As distances they are quarters of the range.
-    assert_eq!(codes(entry.packed(false).shares), [256, 128, 0]);
+    assert_eq!(entry.share_codes(false), [16_384, 8_192, 0]);
     let (_, patches) = patches_of(&one_triangle());
-    assert_eq!(codes(patches.packed()[0].shares), [1023; 3]);
+    assert_eq!(patches.entries[0].share_codes(true), [65_535; 3]);
 }

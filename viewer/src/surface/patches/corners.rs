@@ -6,8 +6,7 @@
 
 use glam::{DVec2, Vec2};
 use rayon::prelude::*;
-use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, MAX_PATCHES, OVERLAPS, pack_place, pack_tens};
-use tam_shaders::types::PatchEntry;
+use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, OVERLAPS, pack_place};
 
 use super::fallback::planar;
 use super::maps::{Map, Reached};
@@ -16,7 +15,7 @@ use crate::surface::field::Field;
 use crate::surface::graph::Graph;
 
 /// Lapped textures of a triangle at most; patches that blend are no more than [`OVERLAPS`].
-pub const MAX_ENTRIES: usize = MAX_PATCHES;
+pub const MAX_ENTRIES: usize = 8;
 
 /// Triangles that are looked at in one go.
 const BLOCK: usize = 1 << 12;
@@ -61,11 +60,9 @@ impl Entry {
         Self { behind: Self::shares_of(self.share_codes(lapped), lapped), ..self }
     }
 
-    /// As the shaders read it; `lapped` as in [`Patches::lapped`].
-    pub fn packed(&self, lapped: bool) -> PatchEntry {
-        let range = Self::range(lapped);
-        let shares = pack_tens(self.behind.map(|behind| f64::from(behind) / range));
-        PatchEntry { places: self.uv.map(|uv| pack_place(uv.as_dvec2())), shares }
+    /// Its places, in the steps in which they are drawn and kept.
+    pub(in crate::surface) fn place_codes(&self) -> [u32; 3] {
+        self.uv.map(|uv| pack_place(uv.as_dvec2()))
     }
 }
 

@@ -13,10 +13,7 @@ mod fallback;
 mod maps;
 mod seeds;
 pub(crate) mod turns;
-pub mod vertices;
-
-use rayon::prelude::*;
-use tam_shaders::types::PatchEntry;
+pub use rayon::prelude::*;
 
 use super::coarse::Ground;
 use super::curvature::Curvature;
@@ -28,7 +25,6 @@ use crate::stage::{Held, stage};
 pub use corners::{Entry, MAX_ENTRIES};
 pub use exp_map::exponential_map;
 pub(super) use seeds::Ordered;
-pub use vertices::PatchVertices;
 
 /// How patches are made.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -118,24 +114,6 @@ impl Patches {
         let lapped = self.lapped;
         self.entries.par_iter_mut().for_each(|entry| *entry = entry.in_steps(lapped));
         self
-    }
-
-    /// All entries, as the shaders read them.
-    pub fn packed(&self) -> Vec<PatchEntry> {
-        self.entries.par_iter().map(|entry| entry.packed(self.lapped)).collect()
-    }
-
-    /// Starts, rows and seeds, as the shaders read them: per face its first entry, their number, per entry its rows,
-    /// and per entry its seed.
-    pub fn packed_starts(&self) -> Vec<u32> {
-        let seeds = self.entries.iter().map(|entry| entry.seed);
-        self.starts.iter().chain(&self.rows).copied().chain(seeds).collect()
-    }
-
-    /// Bytes of starts and entries on the GPU.
-    pub fn bytes(&self) -> u64 {
-        4 * (self.starts.len() + self.rows.len() + self.entries.len()) as u64
-            + size_of::<PatchEntry>() as u64 * self.entries.len() as u64
     }
 }
 

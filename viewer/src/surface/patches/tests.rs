@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use tam_shaders::cpu::lib::patches::{BEHIND_RANGE, OVERLAPS, PLACE_RANGE, PatchTable, corner_overlap, corner_vertex};
+
+use tam_shaders::cpu::lib::patches::OVERLAPS;
 
 use super::*;
 use crate::mesh::sample::Sample;
@@ -185,43 +186,5 @@ fn meshes_of_any_kind_have_patches() {
         let fine = mesh.subdivided(PatchOptions::default().longest_edge() as f32);
         let (_, patches) = built(&fine);
         assert!((0..fine.triangles.len()).all(|face| !patches.of(face).is_empty()));
-    }
-}
-
-#[test]
-fn corners_carry_the_patches_of_their_triangles_and_triangles_share_them() {
-    for (sample, most) in [(Sample::Hand, 1.3), (Sample::TorusKnot, 1.3), (Sample::Cube, 3.0)] {
-        for follow in [Follow::Surface, Follow::Light] {
-            let mesh = prepare(sample.build(20_000)).expect("a sample").mesh;
-            let options = PatchOptions { follow, ..PatchOptions::default() };
-            let surface = SurfaceOptions { patches: Some(options), ..SurfaceOptions::default() };
-            let patches = Surface::new(&mesh, &surface).expect("a field").patches.expect("patches were asked for");
-            let vertices = PatchVertices::new(&mesh.triangles, &patches);
-            let packed = vertices.packed();
-            let table = PatchTable { corners: &packed, ..PatchTable::default() };
-            for (face, triangle) in mesh.triangles.iter().enumerate() {
-                for (k, vertex) in triangle.iter().enumerate() {
-                    let corner = vertices.indices[3 * face + k];
-                    assert_eq!(corner_vertex(table, corner), *vertex);
-                    let overlap = corner_overlap(follow.into(), table, corner);
-                    // Of each patch its place and distance, in any order; those that are not there are as far as can be.
-                    for entry in patches.of(face) {
-                        let is_it = |i: &usize| {
-                            let (place, behind) = (overlap.places[*i], overlap.behind[*i]);
-                            // Half a step of the codes; lone triangles may lie beyond their range.
-                            let far = f64::from(entry.uv[k].abs().max_element()) > PLACE_RANGE;
-                            (far || (place - entry.uv[k].as_dvec2()).abs().max_element() < 7e-5)
-                                && (behind - f64::from(entry.behind[k])).abs() < 1e-6
-                                && (follow == Follow::Surface || overlap.seeds[*i] == entry.seed)
-                        };
-                        assert!((0..OVERLAPS).any(|i| is_it(&i)), "{} {face} {k}: {overlap:?}", sample.name());
-                    }
-                    let near = overlap.behind.to_array().iter().filter(|behind| **behind < BEHIND_RANGE).count();
-                    assert!(near <= patches.of(face).len());
-                }
-            }
-            let per_triangle = vertices.corners.len() as f64 / mesh.triangles.len() as f64;
-            assert!(per_triangle < most, "{}: {per_triangle} corners a triangle", sample.name());
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! Stripes: one line field over the whole surface, as engravers draw, from the direction field.
 //!
 //! ```text
-//! field ─► growth (per link) ─► spacing (per node) ─► wave (per cluster) ─► settle (per node) ─► phases (per corner)
+//! field ─► growth (per link) ─► spacing (per node) ─► wave (per cluster) ─► settle (per node) ─► phases (per corner) ─► agree
 //! ```
 //!
 //! The phase counts lines: it is whole in the middle of each, grows across them, and is known up to sign and whole
@@ -12,8 +12,10 @@
 //! must branch off wherever directions spread. Ours may stand closer where directions draw together (`spacing.rs`),
 //! since drawing doubles them by their distance on the screen; few branches are left.
 
+mod agree;
 mod clusters;
 mod growth;
+pub(crate) mod phase;
 mod phases;
 pub(crate) mod rows;
 mod settle;
@@ -25,13 +27,14 @@ mod tests;
 
 use faer::c64;
 use rayon::prelude::*;
-use tam_shaders::types::StripePhases;
 
 use super::field::Field;
 use super::graph::Graph;
 use super::solve::SolveError;
 use crate::ranges;
 use crate::stage::Held;
+pub use phase::StripePhases;
+
 use growth::{Loop, growths, loops};
 
 /// How stripes are laid.
@@ -76,11 +79,17 @@ impl Held for Stripes {
     }
 }
 
-/// The stripes of a surface. The same for any number of threads.
+/// The stripes of a surface; `neighbours` are those of its triangles, edge k from corner k to the next. The same for any number
+/// of threads.
 ///
 /// # Errors
 /// [`StripeError`]: options out of range, or a system that cannot be factorised.
-pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<Stripes, StripeError> {
+pub fn stripes(
+    graph: &Graph,
+    neighbours: &[[u32; 3]],
+    field: &Field,
+    options: &StripeOptions,
+) -> Result<Stripes, StripeError> {
     if !ranges::LINES_PER_UNIT.contains(options.lines_per_unit) {
         return Err(StripeError::LinesPerUnit(options.lines_per_unit));
     }
@@ -89,11 +98,11 @@ pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<
     graph.pattern()?;
     let along: Vec<c64> = field.angles_rad.par_iter().map(|angle| c64::from_polar(1.0, *angle)).collect();
     let (along, across) = rayon::join(
-        || lines(graph, &loops, &along, options),
+        || lines(graph, neighbours, &loops, &along, options),
         || {
             // A quarter turn is a multiplication by i.
             let across = || along.iter().map(|z| c64::new(-z.im, z.re)).collect::<Vec<_>>();
-            if options.across { lines(graph, &loops, &across(), options) } else { Ok(Vec::new()) }
+            if options.across { lines(graph, neighbours, &loops, &across(), options) } else { Ok(Vec::new()) }
         },
     );
     Ok(Stripes { along: along?, across: across? })
@@ -101,6 +110,7 @@ pub fn stripes(graph: &Graph, field: &Field, options: &StripeOptions) -> Result<
 
 fn lines(
     graph: &Graph,
+    neighbours: &[[u32; 3]],
     loops: &[Option<Loop>],
     along: &[c64],
     options: &StripeOptions,
@@ -111,5 +121,5 @@ fn lines(
     let clusters = clusters::clusters(graph, &steps);
     let wave = wave::wave(graph, &steps, &clusters)?;
     let settled = settle::settled(graph, &steps, &clusters, &wave)?;
-    Ok(phases::phases(graph, loops, &steps, &settled))
+    Ok(agree::agreed(graph, neighbours, &phases::phases(graph, loops, &steps, &settled)))
 }

@@ -6,8 +6,8 @@
 //! sides and the middle, which lies on a line or half-way between two, so that it is its own mirror image.
 
 use rayon::prelude::*;
-use tam_shaders::types::StripePhases;
 
+use super::StripePhases;
 use super::growth::{Loop, Side, Step};
 use crate::surface::graph::Graph;
 

@@ -1,48 +1,26 @@
 //! Rows of lines on patches: in each triangle the phase is known up to sign and whole numbers; within a patch they are
 //! chosen so that one line has one number from end to end.
 //!
-//! Each patch is walked over its triangles, breadth first from its seed. Across an edge, gradients tell the sign and the
-//! phases of its middle the number. Where lines end or the field is singular there is no such numbering: a triangle
-//! takes the nearest number, and the walk does not pass through it.
+//! Each patch is walked over its triangles, breadth first from its seed. Where lines end or the field is singular there is no
+//! such numbering: a triangle takes the nearest number, and the walk does not pass through it.
 
 use std::collections::VecDeque;
 
-use glam::DVec3;
 use rayon::prelude::*;
-use tam_shaders::cpu::lib::stripes::stripe_phase;
-use tam_shaders::types::{NO_FACE, StripePhases};
+use tam_shaders::types::NO_FACE;
 
-use super::Stripes;
+use super::agree::{Count, Edges};
+use super::{StripePhases, Stripes};
 use crate::surface::graph::Graph;
 use crate::surface::patches::Patches;
 
 /// Greatest number of a row that 15 bits hold.
 const GREATEST: f64 = 16_383.0;
 
-/// How a triangle's phase becomes that of a patch: `sign * phase + number`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Row {
-    /// Whether the sign is -1.
-    pub(crate) turned: bool,
-    /// Whole.
-    pub(crate) number: f64,
-}
-
-impl Row {
-    fn sign(self) -> f64 {
-        if self.turned { -1.0 } else { 1.0 }
-    }
-
-    /// The phase of the patch.
-    pub(crate) fn phase(self, of_triangle: f64) -> f64 {
-        self.sign() * of_triangle + self.number
-    }
-
-    /// 16 bits: the sign in the lowest.
-    fn packed(self) -> u32 {
-        let number = self.number.clamp(-GREATEST, GREATEST) as i32;
-        ((number << 1 | i32::from(self.turned)) & 0xffff) as u32
-    }
+/// How a triangle's phase becomes that of a patch, in 16 bits: the sign in the lowest.
+fn packed(count: Count) -> u32 {
+    let number = count.number.clamp(-GREATEST, GREATEST) as i32;
+    ((number << 1 | i32::from(count.turned)) & 0xffff) as u32
 }
 
 /// A triangle in a patch, and which of all entries says so.
@@ -54,12 +32,17 @@ type Place = (u32, u32);
 pub(crate) fn rows(graph: &Graph, neighbours: &[[u32; 3]], patches: &Patches, stripes: &Stripes) -> Vec<u32> {
     let along = rows_of(graph, neighbours, patches, &stripes.along);
     let across = rows_of(graph, neighbours, patches, &stripes.across);
-    along.iter().zip(&across).map(|(along, across)| along.packed() | across.packed() << 16).collect()
+    along.iter().zip(&across).map(|(along, across)| packed(*along) | packed(*across) << 16).collect()
 }
 
 /// The rows of one field, per entry.
-pub(crate) fn rows_of(graph: &Graph, neighbours: &[[u32; 3]], patches: &Patches, phases: &[StripePhases]) -> Vec<Row> {
-    let mut of_entries = vec![Row::default(); patches.entries.len()];
+pub(crate) fn rows_of(
+    graph: &Graph,
+    neighbours: &[[u32; 3]],
+    patches: &Patches,
+    phases: &[StripePhases],
+) -> Vec<Count> {
+    let mut of_entries = vec![Count::default(); patches.entries.len()];
     if phases.is_empty() {
         return of_entries;
     }
@@ -72,10 +55,11 @@ pub(crate) fn rows_of(graph: &Graph, neighbours: &[[u32; 3]], patches: &Patches,
             }
         }
     }
-    let walked: Vec<Vec<Row>> = of_seeds
+    let edges = Edges::new(graph, phases);
+    let walked: Vec<Vec<Count>> = of_seeds
         .par_iter()
         .zip(&patches.seeds)
-        .map(|(places, seed)| walk(graph, neighbours, phases, places, seed.node))
+        .map(|(places, seed)| walk(&edges, neighbours, places, seed.node))
         .collect();
     for (places, rows) in of_seeds.iter().zip(walked) {
         for ((_, entry), row) in places.iter().zip(rows) {
@@ -86,10 +70,10 @@ pub(crate) fn rows_of(graph: &Graph, neighbours: &[[u32; 3]], patches: &Patches,
 }
 
 /// The rows of one patch; its triangles are sorted.
-fn walk(graph: &Graph, neighbours: &[[u32; 3]], phases: &[StripePhases], places: &[Place], seed: u32) -> Vec<Row> {
-    let mut rows: Vec<Option<Row>> = vec![None; places.len()];
-    let plain = |place: &Place| phases[place.0 as usize].code == 0;
-    let at_seed = |place: &Place| plain(place) && graph.triangles[place.0 as usize].contains(&seed);
+fn walk(edges: &Edges<'_>, neighbours: &[[u32; 3]], places: &[Place], seed: u32) -> Vec<Count> {
+    let mut rows: Vec<Option<Count>> = vec![None; places.len()];
+    let plain = |place: &Place| edges.phases[place.0 as usize].is_linear();
+    let at_seed = |place: &Place| plain(place) && edges.graph.triangles[place.0 as usize].contains(&seed);
     // Parts of a patch that its seed does not reach start anew.
     let starts = places.iter().position(at_seed).into_iter().chain(0..places.len());
     let mut queue = VecDeque::new();
@@ -97,7 +81,7 @@ fn walk(graph: &Graph, neighbours: &[[u32; 3]], phases: &[StripePhases], places:
         if rows[start].is_some() {
             continue;
         }
-        rows[start] = Some(Row::default());
+        rows[start] = Some(Count::default());
         queue.push_back(start);
         while let Some(here) = queue.pop_front() {
             let (triangle, _) = places[here];
@@ -107,7 +91,7 @@ fn walk(graph: &Graph, neighbours: &[[u32; 3]], phases: &[StripePhases], places:
                 if *other == NO_FACE || rows[there].is_some() {
                     continue;
                 }
-                if let Some(next) = across_edge(graph, phases, [triangle, *other], side, row) {
+                if let Some(next) = edges.beyond([triangle, *other], side, row) {
                     rows[there] = Some(next);
                     if plain(&places[there]) {
                         queue.push_back(there);
@@ -117,35 +101,6 @@ fn walk(graph: &Graph, neighbours: &[[u32; 3]], phases: &[StripePhases], places:
         }
     }
     rows.into_iter().map(Option::unwrap_or_default).collect()
-}
-
-/// The row beyond side `side` of the first of two triangles; none over a hard edge.
-fn across_edge(graph: &Graph, phases: &[StripePhases], [here, there]: [u32; 2], side: usize, row: Row) -> Option<Row> {
-    let (here, there) = (here as usize, there as usize);
-    let ends = [graph.triangles[here][side], graph.triangles[here][(side + 1) % 3]];
-    let opposite = (0..3).find(|k| !ends.contains(&graph.triangles[there][*k]))?;
-    if !ends.iter().all(|end| graph.triangles[there].contains(end)) {
-        return None;
-    }
-    let middle = |triangle: usize, opposite: usize| {
-        let mut weights = [0.5; 3];
-        weights[opposite] = 0.0;
-        stripe_phase(&phases[triangle], weights.into())
-    };
-    let slope = gradient(graph, phases, here).dot(gradient(graph, phases, there));
-    let turned = row.turned != (slope < 0.0);
-    let next = Row { turned, number: 0.0 };
-    let number = row.phase(middle(here, (side + 2) % 3)) - next.phase(middle(there, opposite));
-    Some(Row { number: number.round(), ..next })
-}
-
-/// Gradient of the phase between the corners, in lines per mesh unit.
-fn gradient(graph: &Graph, phases: &[StripePhases], triangle: usize) -> DVec3 {
-    let [a, b, c] = graph.triangles[triangle].map(|node| graph.positions[node as usize]);
-    let [at_a, at_b, at_c] = phases[triangle].corners.map(f64::from);
-    let normal = (b - a).cross(c - a);
-    let slope = (c - a).cross(normal) * (at_b - at_a) + normal.cross(b - a) * (at_c - at_a);
-    slope / normal.length_squared().max(1e-300)
 }
 
 #[cfg(test)]
@@ -171,7 +126,8 @@ mod tests {
                 let at = patches.of(triangle as usize).iter().position(|entry| entry.seed == seed)?;
                 Some(rows[patches.starts[triangle as usize] as usize + at])
             };
-            let (mut edges, mut breaks) = (0, 0);
+            let edges = Edges::new(&surface.graph, &stripes.along);
+            let (mut crossed, mut breaks) = (0, 0);
             for (triangle, others) in mesh.neighbours.iter().enumerate() {
                 for (side, other) in others.iter().enumerate().filter(|(_, other)| **other != NO_FACE) {
                     for entry in patches.of(triangle).iter().filter(|entry| entry.seed != u32::MAX) {
@@ -179,24 +135,24 @@ mod tests {
                         let (Some(here), Some(there)) = (of(pair[0], entry.seed), of(*other, entry.seed)) else {
                             continue;
                         };
-                        let Some(expected) = across_edge(&surface.graph, &stripes.along, pair, side, here) else {
+                        let Some(expected) = edges.beyond(pair, side, here) else {
                             continue;
                         };
-                        edges += 1;
+                        crossed += 1;
                         breaks += usize::from(expected != there);
                     }
                 }
             }
-            assert!(edges > 20_000 && breaks as f64 <= most * f64::from(edges), "{breaks} of {edges}");
+            assert!(crossed > 20_000 && breaks as f64 <= most * f64::from(crossed), "{breaks} of {crossed}");
         }
     }
 
     #[test]
     fn codes_hold_sign_and_number() {
         for (turned, number) in [(false, 0.0), (true, 0.0), (true, -7.0), (false, 900.0), (true, -16_383.0)] {
-            let code = Row { turned, number }.packed();
+            let code = packed(Count { turned, number });
             for field in [0, 1] {
-                let [sign, found] = tam_shaders::cpu::lib::strokes::entry_row(&[code << (16 * field)], 0, field);
+                let [sign, found] = tam_shaders::cpu::lib::strokes::patch_row(code << (16 * field), field);
                 assert_eq!((sign < 0, f64::from(found)), (turned, number));
             }
         }

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use glam::{DVec3, Vec3, vec3};
-use tam_shaders::cpu::lib::stripes::stripe_phase;
 
+use super::phase::stripe_phase;
 use super::*;
 use crate::mesh::sample::Sample;
 use crate::mesh::{Mesh, RawMesh, prepare};
@@ -73,7 +73,7 @@ const FOUR: StripeOptions = StripeOptions { lines_per_unit: 4.0, across: true };
 
 fn striped(mesh: &Mesh, options: &FieldOptions) -> (Graph, Field, Stripes) {
     let (graph, field) = field_of(mesh, options);
-    let stripes = stripes(&graph, &field, &FOUR).expect("stripes");
+    let stripes = stripes(&graph, &mesh.neighbours, &field, &FOUR).expect("stripes");
     (graph, field, stripes)
 }
 
@@ -109,7 +109,7 @@ fn on_a_cylinder_and_a_torus_lines_close() {
 }
 
 /// A sector of a ring about the origin, and the field of its radii.
-fn fan() -> (Graph, Field) {
+fn fan() -> (Mesh, Graph, Field) {
     let mesh = sheet(60, 40, |u, v| {
         let (sin, cos) = (2.0 * u).sin_cos();
         DVec3::new(cos, sin, 0.0) * (0.25 + 0.75 * v)
@@ -120,13 +120,13 @@ fn fan() -> (Graph, Field) {
     let middle = place(0.0, 0.0);
     let angles_rad = (0..graph.len()).map(|node| graph.angle(node, graph.positions[node] - middle)).collect();
     let strengths = vec![1.0; graph.len()];
-    (graph, Field { angles_rad, strengths })
+    (mesh, graph, Field { angles_rad, strengths })
 }
 
 #[test]
 fn lines_that_draw_together_need_not_end() {
-    let (graph, field) = fan();
-    let stripes = stripes(&graph, &field, &FOUR).expect("stripes");
+    let (mesh, graph, field) = fan();
+    let stripes = stripes(&graph, &mesh.neighbours, &field, &FOUR).expect("stripes");
     let seen = seen(&graph, &field, false, &stripes.along);
     // Evenly spaced ones must, and swerve for it: 5 end, and the error is 5 degrees.
     assert!(seen.ends == 0 && seen.error_deg < 1.0, "{seen:?}");
@@ -230,17 +230,17 @@ fn soups_needles_and_single_triangles_have_stripes() {
         ..sheet(1, 1, |u, v| DVec3::new(u, v, 0.0))
     });
     let field = Field { angles_rad: Vec::new(), strengths: Vec::new() };
-    assert_eq!(stripes(&nothing, &field, &FOUR), Ok(Stripes::default()));
+    assert_eq!(stripes(&nothing, &[], &field, &FOUR), Ok(Stripes::default()));
 }
 
 #[test]
 fn lines_too_many_or_too_few_are_refused() {
-    let (graph, field) = fan();
+    let (mesh, graph, field) = fan();
     for lines_per_unit in [0.2, 64.1, -4.0, f64::NAN, f64::INFINITY] {
         let options = StripeOptions { lines_per_unit, across: false };
-        let error = stripes(&graph, &field, &options).expect_err("refused");
+        let error = stripes(&graph, &mesh.neighbours, &field, &options).expect_err("refused");
         assert!(matches!(error, StripeError::LinesPerUnit(_)), "{error}");
     }
     let one = StripeOptions { across: false, ..FOUR };
-    assert!(stripes(&graph, &field, &one).expect("stripes").across.is_empty());
+    assert!(stripes(&graph, &mesh.neighbours, &field, &one).expect("stripes").across.is_empty());
 }
