@@ -12,6 +12,8 @@ pub enum Feed {
     Corners,
     /// The same of patches that turn with the light.
     Turning,
+    /// Corners of lapped textures.
+    Lapped,
     /// Corners with the phases of lines.
     Lines,
     /// The same with the patches on which strokes are counted.
@@ -24,8 +26,17 @@ pub enum Feed {
 
 impl Feed {
     /// All feeds.
-    pub const ALL: [Self; 8] =
-        [Self::Vertices, Self::Uvs, Self::Corners, Self::Turning, Self::Lines, Self::Strokes, Self::Faces, Self::Faced];
+    pub const ALL: [Self; 9] = [
+        Self::Vertices,
+        Self::Uvs,
+        Self::Corners,
+        Self::Turning,
+        Self::Lapped,
+        Self::Lines,
+        Self::Strokes,
+        Self::Faces,
+        Self::Faced,
+    ];
 
     /// The entry point of the vertex stage.
     pub fn vertex_entry(self) -> &'static str {
@@ -34,6 +45,7 @@ impl Feed {
             Self::Uvs => "vertex_uv",
             Self::Corners => "vertex_corner",
             Self::Turning => "vertex_turning",
+            Self::Lapped => "vertex_lapped",
             Self::Lines => "vertex_lines",
             Self::Strokes => "vertex_strokes",
             Self::Faces => "vertex_face",

@@ -247,7 +247,6 @@ fn constants_are_the_same_in_rust_and_in_every_pass() {
         ("ROWS_PER_LEVEL", threshold::ROWS_PER_LEVEL as f64),
         ("FADE_FROM", single(stripes::FADE_FROM)),
         ("FADE_TO", single(stripes::FADE_TO)),
-        ("VARIED", 0.0),
         ("ALONG", f64::from(cpu::stripes::ALONG)),
         ("ACROSS", f64::from(cpu::stripes::ACROSS)),
         ("EVEN_FROM", single(cpu::stripes::EVEN_FROM)),

@@ -204,6 +204,22 @@ fn fragment_lines(
 }
 
 @fragment
+fn fragment_lapped(
+    in: FragmentIn,
+    lapped: LappedFragment,
+    @builtin(position) place_px: vec4f,
+    @builtin(front_facing) front: bool,
+) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    let first =
+        OverlapSlopes(dpdx(lapped.places_ab), dpdx(lapped.places_cd), dpdy(lapped.places_ab), dpdy(lapped.places_cd));
+    let then =
+        OverlapSlopes(dpdx(lapped.places_ef), dpdx(lapped.places_gh), dpdy(lapped.places_ef), dpdy(lapped.places_gh));
+    let direction = lapped_direction(lapped_of(lapped), first, then);
+    return vec4f(direction_colour(direction, place_px.xy) * form_shade(point), 1.0);
+}
+
+@fragment
 fn fragment_faces(in: FragmentIn, faced: FacedIn, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let point = surface_point(in, front);
     var colour = adjacency_colour(neighbour_share(faced.face, frame_place(point.p_world)));

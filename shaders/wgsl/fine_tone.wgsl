@@ -16,3 +16,10 @@ fn fragment(in: FragmentIn, patched: PatchedIn, @builtin(front_facing) front: bo
     let d = darkness(reflectance(), point.p_world, point.normal, point.view);
     return drawn(surface_ink(point, overlap_of(patched), d));
 }
+
+@fragment
+fn fragment_lapped(in: FragmentIn, lapped: LappedFragment, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    let d = darkness(reflectance(), point.p_world, point.normal, point.view);
+    return drawn(lapped_ink(lapped_of(lapped), map_scale(mean_footprint(point)), d));
+}

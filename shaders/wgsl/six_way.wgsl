@@ -89,6 +89,14 @@ fn vertex_turning(in: TurningIn) -> SixWayOut {
 }
 
 @vertex
+fn vertex_lapped(in: LappedIn) -> LappedOut {
+    var out = lapped_vertex(in);
+    let surface = VertexOut(out.clip, out.p_world, out.normal, out.uv);
+    out.tone = weighted_tone(vertex_weights(patched(surface, no_overlap())));
+    return out;
+}
+
+@vertex
 fn vertex_face(@builtin(vertex_index) index: u32) -> SixWayOut {
     return weighted(patched_face(index));
 }
@@ -115,7 +123,7 @@ fn fragment(
     let point = patched_point(in, patched, front);
     // Interpolation rounds a little below 0.
     let weights = Weights(max(six.light, vec3f(0.0)), max(six.dark, vec3f(0.0)));
-    if MAPPING == MAPPING_PATCHES || MAPPING == MAPPING_LAPPED {
+    if MAPPING == MAPPING_PATCHES {
         return drawn(surface_ink(point, overlap_of(patched), weighted_tone(weights)));
     }
     let mapped = map_surface(point);
@@ -127,4 +135,10 @@ fn fragment(
         ink += patterns[i].weight * six_ink(patterns[i].uv, level, weights);
     }
     return drawn(ink);
+}
+
+@fragment
+fn fragment_lapped(in: FragmentIn, lapped: LappedFragment, @builtin(front_facing) front: bool) -> @location(0) vec4f {
+    let point = surface_point(in, front);
+    return drawn(lapped_ink(lapped_of(lapped), map_scale(mean_footprint(point)), lapped.tone));
 }

@@ -27,6 +27,24 @@ pub fn renderer() -> Renderer {
     }
 }
 
+/// A device for tests, opened with no features and nothing beyond these limits.
+///
+/// # Panics
+/// If there is no adapter, or it has less.
+pub fn device_with(limits: wgpu::Limits) -> Gpu {
+    let backends = wgpu::Backends::PRIMARY;
+    let descriptor = wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle() };
+    let instance = wgpu::Instance::new(descriptor);
+    let wanted = wgpu::RequestAdapterOptions::default();
+    let opened = pollster::block_on(async {
+        let adapter = instance.request_adapter(&wanted).await.map_err(|error| error.to_string())?;
+        let descriptor = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
+        let (device, queue) = adapter.request_device(&descriptor).await.map_err(|error| error.to_string())?;
+        Ok::<_, String>(Gpu::shared(&device, &queue, &adapter.get_info()))
+    });
+    opened.unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// A renderer with one map, drawing small pictures.
 pub struct Stage {
     /// The renderer.

@@ -125,8 +125,8 @@ fn a_mesh_in_parts_is_drawn_as_the_same_mesh_in_one() {
     }
     // Faces are counted on from part to part.
     let inspect = Inspect { debug: Some(DebugView::Triangles), ..Inspect::default() };
-    let scene = Scene { inspect, ..scene };
-    let [parts, one] = [&mesh, &whole].map(|mesh| stage.draw(&scene, &RenderParams::default(), mesh));
+    let (scene, bare) = (Scene { inspect, ..scene }, RenderParams { silhouettes: None, ..RenderParams::default() });
+    let [parts, one] = [&mesh, &whole].map(|mesh| stage.draw(&scene, &bare, mesh));
     assert!(difference(&parts, &one) < 1e-6);
 }
 

@@ -82,7 +82,8 @@ fn feed(params: &RenderParams, shown: Option<DebugView>) -> Feed {
             Mapping::Frames => Feed::Faces,
             Mapping::Triplanar => Feed::Vertices,
             Mapping::Patches if params.follow == Follow::Light => Feed::Turning,
-            Mapping::Patches | Mapping::Lapped => Feed::Corners,
+            Mapping::Patches => Feed::Corners,
+            Mapping::Lapped => Feed::Lapped,
         },
     }
 }

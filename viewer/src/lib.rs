@@ -37,6 +37,7 @@ pub mod app;
 
 pub use object::Object;
 pub use params::{Blend, DebugView, FaceFrameForm, Follow, Form, Inspect, Mapping, Method, RenderParams, Silhouettes};
+pub use passes::{Tried, try_pipelines};
 pub use renderer::{RenderError, Renderer};
 pub use scene::{AxisView, Camera, Light, LightKind, Lights, Material, Projection, Scene};
 pub use timer::FrameTimer;

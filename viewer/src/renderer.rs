@@ -42,6 +42,12 @@ pub enum RenderError {
     /// The camera stands nowhere.
     #[error("the camera is no camera: {0}")]
     Camera(String),
+    /// The device has no storage buffers.
+    #[error("{adapter} has no storage buffers, by which lines and the frames of faces are found")]
+    NoStorage {
+        /// The adapter.
+        adapter: String,
+    },
     /// What is drawn into takes no such picture.
     #[error("{format:?} cannot be drawn into: on this device it {lacks}")]
     Format {
@@ -67,7 +73,8 @@ pub struct Renderer {
 /// An object of a frame, with all that its passes bind.
 pub(crate) struct Draw<'a> {
     pub mesh: &'a GpuMesh,
-    pub placed: Arc<PlacedMesh>,
+    /// Where its faces are looked at.
+    pub placed: Option<Arc<PlacedMesh>>,
     pub form: Form,
     pub variant: Variant,
     /// Number of the pipeline that shades it.
@@ -89,9 +96,9 @@ impl Renderer {
         let layouts = Layouts::new(&gpu);
         Self {
             uniforms: Uniforms::new(&gpu, &layouts),
-            faces: Faces::new(&gpu, &layouts),
+            faces: Faces::default(),
             shading: Shading::default(),
-            lines: Lines::new(&gpu, &layouts),
+            lines: Lines::default(),
             turns: Vec::new(),
             layouts,
             gpu,
@@ -174,9 +181,12 @@ impl Renderer {
         into: &TargetViews<'_>,
         radius: f64,
     ) -> Result<Draw<'a>, RenderError> {
-        let Self { gpu, layouts, uniforms, shading, lines, turns, .. } = self;
+        let Self { gpu, layouts, uniforms, faces, shading, lines, turns } = self;
         let Object { mesh, world_from_mesh, params, ink, .. } = *object;
         let variant = variant(params, scene.inspect.debug, mesh);
+        if !gpu.has_storage() && (variant.feed.is_pulled() || Lines::drawn(params, &scene.inspect).next().is_some()) {
+            return Err(RenderError::NoStorage { adapter: gpu.adapter.to_string() });
+        }
         let shared = scene.shared_for(world_from_mesh, ink, into.size_px, radius);
         if object.turns() {
             mesh.surface.turn(gpu, layouts, &shared, world_from_mesh, nth, turns);
@@ -195,13 +205,17 @@ impl Renderer {
         let styled = |kind: LineKind| (kind, uniforms.style(&kind.style(params, inspect, ink)));
         let styled: Vec<_> = Lines::drawn(params, inspect).map(styled).collect();
         if !styled.is_empty() {
-            lines.make_pipeline(gpu, into.formats);
+            lines.make(gpu, layouts, into.formats);
+        }
+        let looks_at_faces = variant.feed.is_pulled() || !styled.is_empty();
+        if looks_at_faces {
+            faces.make(gpu, layouts);
         }
         let fed = mesh.fed(variant.feed, mapping).ok_or(RenderError::NoSurface(params.method.name()))?;
         Ok(Draw {
             mesh,
             fed,
-            placed: mesh.placed(gpu, layouts, nth, variant.faces),
+            placed: looks_at_faces.then(|| mesh.placed(gpu, layouts, nth, variant.faces)),
             form: params.form,
             pipeline: shading.pipeline(gpu, layouts, &variant, into.formats, culled),
             variant,

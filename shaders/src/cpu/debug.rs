@@ -7,13 +7,13 @@ use super::lib::adjacency::contribution;
 use super::lib::barycentric::corner_weights;
 use super::lib::colour::{TAU, oklch};
 use super::lib::columns::{column_coordinate, wanted_level};
-use super::lib::directions::{OverlapSlopes, direction_across, mapped_direction};
+use super::lib::directions::{OverlapSlopes, direction_across, lapped_direction, mapped_direction};
 use super::lib::face_frame::half_angle;
 use super::lib::light::darkness;
 use super::lib::mapping::{footprint, frame_place, map_uv};
 use super::lib::material::{Material, column_tone, reflectance};
 use super::lib::mesh_types::NO_FACE;
-use super::lib::patched::{overlap_of, patched_point};
+use super::lib::patched::{lapped_of, overlap_of, patched_point};
 use super::lib::striped::Phase;
 use super::lib::strokes::lot;
 use super::lib::surface::{FragmentIn, Point, surface_point};
@@ -190,6 +190,15 @@ pub fn fragment_lines(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2
     let point = surface_point(b.scene, &quad[lane], front);
     let [along, _] = phases(quad, lane);
     (direction_colour(stripes_direction(&along), place_px) * form_shade(&point)).extend(1.0)
+}
+
+/// The same where directions are those of lapped textures.
+pub fn fragment_lapped(b: &Bindings<'_>, quad: &Quad<FragmentIn>, place_px: DVec2, lane: usize, front: bool) -> DVec4 {
+    let point = surface_point(b.scene, &quad[lane], front);
+    let [first, then] =
+        [quad.map(|input| input.overlap), quad.map(|input| input.over)].map(|quad| OverlapSlopes::of(&quad, lane));
+    let direction = lapped_direction(b.material, &lapped_of(&quad[lane]), &first, &then);
+    (direction_colour(direction, place_px) * form_shade(&point)).extend(1.0)
 }
 
 /// The same where faces are shown.

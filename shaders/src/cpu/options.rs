@@ -95,6 +95,20 @@ pub enum DebugView {
     Triangles = 7,
 }
 
+impl DebugView {
+    /// All of them.
+    pub const ALL: [Self; 8] = [
+        Self::None,
+        Self::Tone,
+        Self::Level,
+        Self::Columns,
+        Self::Frames,
+        Self::Stripes,
+        Self::Adjacency,
+        Self::Triangles,
+    ];
+}
+
 /// All constants of a pipeline.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Options {

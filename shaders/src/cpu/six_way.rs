@@ -3,14 +3,14 @@
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::lib::blend::surface_ink;
+use super::lib::blend::{lapped_ink, surface_ink};
 use super::lib::columns::{column_coordinate, map_level};
 use super::lib::light::darkness;
-use super::lib::mapping::{map_surface, pattern_count};
+use super::lib::mapping::{map_surface, mean_footprint, pattern_count};
 use super::lib::material::{Material, column_tone, reflectance};
-use super::lib::patched::{overlap_of, patched_point};
+use super::lib::patched::{lapped_of, overlap_of, patched_point};
 use super::lib::patches::Overlap;
-use super::lib::surface::{FragmentIn, VertexOut, drawn};
+use super::lib::surface::{FragmentIn, VertexOut, drawn, surface_point};
 use super::{Bindings, MapImage, Mapping, Quad};
 
 /// Weights of the six columns; white has what is missing to 1.
@@ -63,7 +63,7 @@ pub fn pattern_ink(b: &Bindings<'_>, uv: DVec2, tiles_per_px: f64, d: f64) -> f6
 /// Colour of one fragment of a quad, linear light; `weights` are interpolated.
 pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, lane: usize, front: bool) -> DVec4 {
     let points = quad.map(|input| patched_point(b.scene, input, front));
-    if matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
+    if b.options.mapping == Mapping::Patches {
         let of_patch = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
         let ink = surface_ink(
             b,
@@ -81,4 +81,12 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, weights: &Weights, la
     let patterns = &mapped.patterns[..pattern_count(b.options.mapping, &mapped)];
     let ink = patterns.iter().map(|pattern| pattern.weight * six_ink(b.map, pattern.uv, level, weights)).sum();
     drawn(b.scene, b.material, ink)
+}
+
+/// The same in lapped textures, by the tone of the vertices.
+pub fn fragment_lapped(b: &Bindings<'_>, input: &FragmentIn, front: bool) -> DVec4 {
+    let point = surface_point(b.scene, input, front);
+    let tiles_per_px = mean_footprint(b.options.form, b.scene, b.material, &point);
+    let ink = |uv, tiles_per_px, d| pattern_ink(b, uv, tiles_per_px, d);
+    drawn(b.scene, b.material, lapped_ink(b, &lapped_of(input), tiles_per_px, input.tone, &ink))
 }

@@ -3,14 +3,14 @@
 
 use glam::{DVec2, DVec4};
 
-use super::lib::blend::surface_ink;
+use super::lib::blend::{lapped_ink, surface_ink};
 use super::lib::columns::map_level;
 use super::lib::halftone::{halftone_ink, halftone_threshold};
 use super::lib::light::darkness;
-use super::lib::mapping::Mapped;
+use super::lib::mapping::{Mapped, mean_footprint};
 use super::lib::material::reflectance;
-use super::lib::patched::{overlap_of, patched_point};
-use super::lib::surface::{FragmentIn, drawn};
+use super::lib::patched::{lapped_of, overlap_of, patched_point};
+use super::lib::surface::{FragmentIn, drawn, surface_point};
 use super::lib::threshold::{equalised, threshold_centred, threshold_one_sided};
 use super::{Bindings, Form, Mapping, PatternKind, Quad};
 
@@ -60,4 +60,13 @@ pub fn fragment(b: &Bindings<'_>, quad: &Quad<FragmentIn>, lane: usize, front: b
     let of_patch = |uv, tiles_per_px, d| pattern_ink(b, &Quad::from_fn(|_| Sampled { uv, tiles_per_px }), lane, d);
     let ink = surface_ink(b, &points, overlap_of(&quad[lane]), lane, d, of_pattern, &of_patch);
     drawn(b.scene, b.material, ink)
+}
+
+/// The same in lapped textures.
+pub fn fragment_lapped(b: &Bindings<'_>, input: &FragmentIn, front: bool) -> DVec4 {
+    let point = surface_point(b.scene, input, front);
+    let d = darkness(b.scene, reflectance(b.material), point.p_world, point.normal, point.view);
+    let tiles_per_px = mean_footprint(b.options.form, b.scene, b.material, &point);
+    let ink = |uv, tiles_per_px, d| pattern_ink(b, &Quad::from_fn(|_| Sampled { uv, tiles_per_px }), 0, d);
+    drawn(b.scene, b.material, lapped_ink(b, &lapped_of(input), tiles_per_px, d, &ink))
 }

@@ -2,7 +2,7 @@
 // sequence and end whole; it needs patterns that are independent of each other. Linear greys strokes, as pencil does.
 // The pass that includes this defines pattern_ink(uv, scale, darkness).
 //!include lib/mapping.wgsl
-//!include lib/patches.wgsl
+//!include lib/patched.wgsl
 //!include lib/columns.wgsl
 
 const BLEND_UNION: u32 = 0u;
@@ -81,20 +81,26 @@ fn painted_ink(under: f32, place: vec2f, alpha: f32, scale: Scale, d: f32) -> f3
     return mix(under, pattern_ink(tile_uv(place), scale, d), min(alpha, 1.0));
 }
 
-// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha.
-fn lapped_ink(overlap: Overlap, scale: Scale, d: f32) -> f32 {
-    var ink = painted_ink(0.0, overlap.places_ab.xy, overlap.behind.x, scale, d);
+// Four lapped textures, painted one over the other and over what lies under them.
+fn overlapped_ink(under: f32, overlap: Overlap, scale: Scale, d: f32) -> f32 {
+    var ink = painted_ink(under, overlap.places_ab.xy, overlap.behind.x, scale, d);
     ink = painted_ink(ink, overlap.places_ab.zw, overlap.behind.y, scale, d);
     ink = painted_ink(ink, overlap.places_cd.xy, overlap.behind.z, scale, d);
     return painted_ink(ink, overlap.places_cd.zw, overlap.behind.w, scale, d);
 }
 
+// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha.
+fn lapped_ink(lapped: Lapped, scale: Scale, d: f32) -> f32 {
+    let ink = overlapped_ink(0.0, lapped.first, scale, d);
+    if all(lapped.then.behind <= vec4f(0.0)) {
+        return ink;
+    }
+    return overlapped_ink(ink, lapped.then, scale, d);
+}
+
 fn surface_ink(point: Point, overlap: Overlap, d: f32) -> f32 {
     if MAPPING == MAPPING_PATCHES {
         return patches_ink(overlap, map_scale(mean_footprint(point)), d);
-    }
-    if MAPPING == MAPPING_LAPPED {
-        return lapped_ink(overlap, map_scale(mean_footprint(point)), d);
     }
     return blended_ink(map_surface(point), d);
 }

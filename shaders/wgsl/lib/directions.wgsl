@@ -3,7 +3,7 @@
 // both ways along a stroke are the same: unit where one pattern is drawn, shorter the less several agree, 0 where there
 // is none. Knöppel and others, "Globally optimal direction fields", 2013, section 2, for n = 2.
 //!include lib/mapping.wgsl
-//!include lib/patches.wgsl
+//!include lib/patched.wgsl
 
 // Shorter gradients, in tiles or lines per pixel, have none.
 const LEAST_GRADIENT: f32 = 1e-9;
@@ -82,11 +82,16 @@ fn painted_direction(under: vec2f, st_dx: vec2f, st_dy: vec2f, alpha: f32) -> ve
     return mix(under, pattern_direction(st_dx, st_dy), clamp(alpha, 0.0, 1.0));
 }
 
-fn lapped_direction(overlap: Overlap, slopes: OverlapSlopes) -> vec2f {
-    var direction = painted_direction(vec2f(0.0), slopes.ab_dx.xy, slopes.ab_dy.xy, overlap.behind.x);
+// Of four lapped textures.
+fn overlapped_direction(under: vec2f, overlap: Overlap, slopes: OverlapSlopes) -> vec2f {
+    var direction = painted_direction(under, slopes.ab_dx.xy, slopes.ab_dy.xy, overlap.behind.x);
     direction = painted_direction(direction, slopes.ab_dx.zw, slopes.ab_dy.zw, overlap.behind.y);
     direction = painted_direction(direction, slopes.cd_dx.xy, slopes.cd_dy.xy, overlap.behind.z);
     return painted_direction(direction, slopes.cd_dx.zw, slopes.cd_dy.zw, overlap.behind.w);
+}
+
+fn lapped_direction(lapped: Lapped, first: OverlapSlopes, then: OverlapSlopes) -> vec2f {
+    return overlapped_direction(overlapped_direction(vec2f(0.0), lapped.first, first), lapped.then, then);
 }
 
 // Of the mapping; `uv_dx` and `uv_dy` are changes of the point's uv.
@@ -107,9 +112,6 @@ fn mapped_direction(
     }
     if MAPPING == MAPPING_PATCHES {
         return patches_direction(overlap, slopes);
-    }
-    if MAPPING == MAPPING_LAPPED {
-        return lapped_direction(overlap, slopes);
     }
     return pattern_direction(uv_dx, uv_dy);
 }

@@ -31,6 +31,18 @@ struct TurningIn {
     @location(6) seeds: vec4u,
 }
 
+// The same of lapped textures, of which a triangle has up to eight, in the order of painting.
+struct LappedIn {
+    @location(0) position: vec3f,
+    @location(1) normal_oct: u32,
+    @location(3) places_ab: vec4f,
+    @location(4) places_cd: vec4f,
+    @location(5) alphas_abcd: vec4f,
+    @location(10) places_ef: vec4f,
+    @location(11) places_gh: vec4f,
+    @location(12) alphas_efgh: vec4f,
+}
+
 // Where strokes lie by frames, the first two seeds are shares and normal of the face's.
 struct PatchedOut {
     @builtin(position) clip: vec4f,
@@ -48,6 +60,37 @@ struct PatchedIn {
     @location(7) places_cd: vec4f,
     @location(8) behind: vec4f,
     @location(9) @interpolate(flat, either) seeds: vec4u,
+}
+
+struct LappedOut {
+    @builtin(position) clip: vec4f,
+    @location(0) p_world: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) uv: vec2f,
+    // Where the tone is that of the vertices.
+    @location(3) tone: f32,
+    @location(6) places_ab: vec4f,
+    @location(7) places_cd: vec4f,
+    @location(8) alphas_abcd: vec4f,
+    @location(9) places_ef: vec4f,
+    @location(10) places_gh: vec4f,
+    @location(11) alphas_efgh: vec4f,
+}
+
+struct LappedFragment {
+    @location(3) tone: f32,
+    @location(6) places_ab: vec4f,
+    @location(7) places_cd: vec4f,
+    @location(8) alphas_abcd: vec4f,
+    @location(9) places_ef: vec4f,
+    @location(10) places_gh: vec4f,
+    @location(11) alphas_efgh: vec4f,
+}
+
+// Lapped textures at a fragment, in the order of painting.
+struct Lapped {
+    first: Overlap,
+    then: Overlap,
 }
 
 fn patched(surface: VertexOut, overlap: Overlap) -> PatchedOut {
@@ -86,6 +129,25 @@ fn patched_turning(in: TurningIn) -> PatchedOut {
     return patched(surface_vertex(VertexIn(in.position, in.normal_oct), vec2f(0.0)), overlap);
 }
 
+fn lapped_vertex(in: LappedIn) -> LappedOut {
+    let surface = surface_vertex(VertexIn(in.position, in.normal_oct), vec2f(0.0));
+    let first = carried_overlap(in.places_ab, in.places_cd, in.alphas_abcd, vec4u(NO_SEED));
+    let then = carried_overlap(in.places_ef, in.places_gh, in.alphas_efgh, vec4u(NO_SEED));
+    return LappedOut(
+        surface.clip,
+        surface.p_world,
+        surface.normal,
+        surface.uv,
+        0.0,
+        first.places_ab,
+        first.places_cd,
+        first.behind,
+        then.places_ab,
+        then.places_cd,
+        then.behind,
+    );
+}
+
 // Three vertices to a face, counted from the first face of the draw.
 fn patched_face(index: u32) -> PatchedOut {
     let frame = face_frames[face_of(index)];
@@ -100,6 +162,13 @@ fn patched_point(in: FragmentIn, patched: PatchedIn, front: bool) -> Point {
     var point = surface_point(in, front);
     point.framing = patched.seeds.xy;
     return point;
+}
+
+fn lapped_of(in: LappedFragment) -> Lapped {
+    return Lapped(
+        Overlap(in.places_ab, in.places_cd, in.alphas_abcd, vec4u(NO_SEED)),
+        Overlap(in.places_ef, in.places_gh, in.alphas_efgh, vec4u(NO_SEED)),
+    );
 }
 
 fn overlap_of(in: PatchedIn) -> Overlap {

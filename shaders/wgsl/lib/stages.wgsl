@@ -22,6 +22,11 @@ fn vertex_turning(in: TurningIn) -> PatchedOut {
 }
 
 @vertex
+fn vertex_lapped(in: LappedIn) -> LappedOut {
+    return lapped_vertex(in);
+}
+
+@vertex
 fn vertex_face(@builtin(vertex_index) index: u32) -> PatchedOut {
     return patched_face(index);
 }

@@ -34,6 +34,11 @@ pub(super) fn render(error: RenderError) -> Failure {
         RenderError::Gpu(error) => gpu(error),
         RenderError::Map(error) => map(error),
         RenderError::NoUv => work("mesh", &error, "--mapping triplanar and --mapping frames need none"),
+        RenderError::NoStorage { .. } => work(
+            "adapter",
+            &error,
+            "leave out lines (--lines none), and draw with --mapping uv, triplanar or patches; or choose another --adapter",
+        ),
         RenderError::NoMap
         | RenderError::NoSurface(_)
         | RenderError::Placement

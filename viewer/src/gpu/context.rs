@@ -215,6 +215,13 @@ impl Gpu {
         }
     }
 
+    /// Whether the device has storage buffers and compute passes, as WebGPU has and WebGL 2 has not: without them there are no
+    /// lines, no frames of faces and no views of them.
+    pub fn has_storage(&self) -> bool {
+        let limits = self.device.limits();
+        limits.max_storage_buffers_per_shader_stage >= 5 && limits.max_compute_invocations_per_workgroup > 0
+    }
+
     /// All adapters, the one that [`Gpu::open`] would take first.
     pub fn adapters() -> Vec<AdapterSummary> {
         let mut adapters = all_adapters();
@@ -272,7 +279,9 @@ impl Gpu {
     /// Whether a buffer of this many bytes can be bound.
     pub(crate) fn fits(&self, what: &str, bytes: u64) -> Result<(), GpuError> {
         let limits = self.device.limits();
-        let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        // Without storage buffers nothing of it is bound.
+        let bound = if self.has_storage() { limits.max_storage_buffer_binding_size } else { u64::MAX };
+        let limit = bound.min(limits.max_buffer_size);
         if bytes <= limit {
             return Ok(());
         }

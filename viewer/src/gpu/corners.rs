@@ -17,6 +17,7 @@ use crate::surface::corners::Stand;
 pub(crate) struct CornerBuffers {
     place: wgpu::Buffer,
     patches: Option<wgpu::Buffer>,
+    over: Option<wgpu::Buffer>,
     seeds: Option<wgpu::Buffer>,
     lines: Option<wgpu::Buffer>,
     rows: Option<wgpu::Buffer>,
@@ -51,6 +52,7 @@ impl CornerBuffers {
         Ok(Self {
             place: buffer("corners", bytemuck::cast_slice(&places), vertex | wgpu::BufferUsages::COPY_DST),
             patches: carried("patches of corners", bytemuck::cast_slice(&corners.patches)),
+            over: carried("lapped textures of corners", bytemuck::cast_slice(&corners.over)),
             seeds: carried("seeds of corners", bytemuck::cast_slice(&corners.seeds)),
             lines: carried("lines of corners", bytemuck::cast_slice(&corners.lines)),
             rows: carried("rows of corners", bytemuck::cast_slice(&corners.rows)),
@@ -68,10 +70,11 @@ impl CornerBuffers {
 
     /// What a feed is drawn with; none where the corners do not carry it.
     pub(crate) fn fed(&self, feed: Feed) -> Option<Fed<'_>> {
-        let Self { place, patches, seeds, lines, rows, .. } = self;
+        let Self { place, patches, over, seeds, lines, rows, .. } = self;
         let carried = match feed {
             Feed::Corners => [Some(patches), None, None, None],
             Feed::Turning => [Some(patches), Some(seeds), None, None],
+            Feed::Lapped => [Some(patches), Some(over), None, None],
             Feed::Lines => [Some(lines), None, None, None],
             Feed::Strokes => [Some(lines), Some(patches), Some(seeds), Some(rows)],
             Feed::Vertices | Feed::Uvs | Feed::Faces | Feed::Faced => return None,

@@ -27,6 +27,15 @@ const PATCHES: Layout = carried(
         attribute(5, wgpu::VertexFormat::Unorm16x4, 16),
     ],
 );
+/// The same of lapped textures that are painted over these.
+const OVER: Layout = carried(
+    24,
+    &[
+        attribute(10, wgpu::VertexFormat::Snorm16x4, 0),
+        attribute(11, wgpu::VertexFormat::Snorm16x4, 8),
+        attribute(12, wgpu::VertexFormat::Unorm16x4, 16),
+    ],
+);
 const SEEDS: Layout = carried(16, &[attribute(6, wgpu::VertexFormat::Uint32x4, 0)]);
 /// `LineCorner`.
 const LINES: Layout =
@@ -40,6 +49,7 @@ pub(crate) fn layouts(feed: Feed) -> &'static [Option<Layout>] {
         Feed::Uvs => const { &[Some(PLACE), Some(UV)] },
         Feed::Corners => const { &[Some(PLACE), Some(PATCHES)] },
         Feed::Turning => const { &[Some(PLACE), Some(PATCHES), Some(SEEDS)] },
+        Feed::Lapped => const { &[Some(PLACE), Some(PATCHES), Some(OVER)] },
         Feed::Lines => const { &[Some(PLACE), Some(LINES)] },
         Feed::Strokes => const { &[Some(PLACE), Some(LINES), Some(PATCHES), Some(SEEDS), Some(ROWS)] },
         Feed::Faces | Feed::Faced => &[],

@@ -1,5 +1,6 @@
 //! A mesh on the GPU: storage buffers that the shaders pull from.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -30,8 +31,8 @@ pub struct GpuMesh {
     pub(crate) uv_density: Option<f64>,
     /// Grows with every change of positions.
     pub(crate) version: u64,
-    /// Where objects stand, made for as many as a frame ever had of it.
-    placed: Mutex<Vec<Arc<PlacedMesh>>>,
+    /// Where objects stand whose faces are looked at, by their number among those of a frame that show this mesh.
+    placed: Mutex<BTreeMap<usize, Arc<PlacedMesh>>>,
     /// Kept for surfaces that are attached later.
     pub(crate) triangles: Vec<[u32; 3]>,
     /// What of a surface is attached.
@@ -86,7 +87,6 @@ impl GpuMesh {
             edge_count: edges.len() as u32,
             blocks: edges.len().div_ceil(BLOCK_EDGES) as u32,
         };
-        let first = PlacedMesh::new(gpu, layouts, &buffers, FaceData::default());
         Ok(Self {
             buffers,
             surface: SurfaceBuffers::none(gpu, layouts),
@@ -96,7 +96,7 @@ impl GpuMesh {
             radius: radius(&mesh.positions),
             uv_density: mesh.uv_density(),
             version: 0,
-            placed: Mutex::new(vec![Arc::new(first)]),
+            placed: Mutex::default(),
             staging,
             bytes,
         })
@@ -104,18 +104,16 @@ impl GpuMesh {
 
     /// Where the `nth` object of a frame stands that shows this mesh, with room for this of its faces.
     pub(crate) fn placed(&self, gpu: &Gpu, layouts: &Layouts, nth: usize, faces: FaceData) -> Arc<PlacedMesh> {
-        let mut placed = self.places();
-        while placed.len() <= nth {
-            placed.push(Arc::new(PlacedMesh::new(gpu, layouts, &self.buffers, faces)));
+        let mut places = self.places();
+        let known = places.get(&nth).map(|placed| placed.faces);
+        let all = known.unwrap_or_default().and(faces);
+        if known != Some(all) {
+            places.insert(nth, Arc::new(PlacedMesh::new(gpu, layouts, &self.buffers, all)));
         }
-        let all = placed[nth].faces.and(faces);
-        if placed[nth].faces != all {
-            placed[nth] = Arc::new(PlacedMesh::new(gpu, layouts, &self.buffers, all));
-        }
-        Arc::clone(&placed[nth])
+        Arc::clone(&places[&nth])
     }
 
-    fn places(&self) -> MutexGuard<'_, Vec<Arc<PlacedMesh>>> {
+    fn places(&self) -> MutexGuard<'_, BTreeMap<usize, Arc<PlacedMesh>>> {
         self.placed.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -160,7 +158,9 @@ impl GpuMesh {
                 let parts = self.parts.iter().map(|part| 0..3 * (part.end - part.start)).collect();
                 Some(Fed { buffers: Vec::new(), indices: None, parts })
             }
-            Feed::Corners | Feed::Turning | Feed::Lines | Feed::Strokes => self.surface.fed(feed, mapping),
+            Feed::Corners | Feed::Turning | Feed::Lapped | Feed::Lines | Feed::Strokes => {
+                self.surface.fed(feed, mapping)
+            }
         }
     }
 
@@ -176,7 +176,7 @@ impl GpuMesh {
 
     /// Bytes of all its buffers on the GPU: the upload, the surface, and what is computed where its objects stand.
     pub fn bytes(&self) -> u64 {
-        let places: u64 = self.places().iter().map(|placed| PlacedMesh::bytes(placed.faces, &self.buffers)).sum();
+        let places: u64 = self.places().values().map(|placed| PlacedMesh::bytes(placed.faces, &self.buffers)).sum();
         self.bytes + places + self.surface.bytes()
     }
 

@@ -119,7 +119,7 @@ impl PlacedMesh {
         let groups = PlacedGroups {
             drawn: group(
                 "mesh",
-                &layouts.mesh,
+                &layouts.storage().mesh,
                 &[
                     (0, vertices),
                     (2, indices),
@@ -131,21 +131,21 @@ impl PlacedMesh {
             ),
             geometry: group(
                 "face_geometry",
-                &layouts.face_geometry,
+                &layouts.storage().face_geometry,
                 &[(0, vertices), (2, indices), (3, &face_normals), (4, &face_planes)],
             ),
             frames: group(
                 "face_frames",
-                &layouts.face_frames,
+                &layouts.storage().face_frames,
                 &[(0, vertices), (2, indices), (3, &face_normals), (5, &face_frames)],
             ),
-            line_mesh: group("line_mesh", &layouts.line_mesh, &[(0, vertices), (4, &face_normals)]),
+            line_mesh: group("line_mesh", &layouts.storage().line_mesh, &[(0, vertices), (4, &face_normals)]),
             line_edges: group(
                 "line_edges",
-                &layouts.line_edges,
+                &layouts.storage().line_edges,
                 &[(0, edges), (1, &listed), (2, &marks), (3, &before), (4, &line_arguments)],
             ),
-            lines: group("lines", &layouts.lines, &[(0, edges), (1, &listed)]),
+            lines: group("lines", &layouts.storage().lines, &[(0, edges), (1, &listed)]),
         };
         Self { faces, line_arguments, computed: Mutex::default(), groups }
     }

@@ -14,13 +14,18 @@ pub(super) fn variant(view: DebugView, params: &RenderParams, mesh: &GpuMesh) ->
     let mapping = if params.method == Method::FaceFrame { Mapping::Frames } else { params.mapping };
     let follow = if turns(params, mesh) { Follow::Light } else { Follow::Surface };
     let shown = shown(view, params.method, mapping, mesh);
+    shown_as(shown, kind(view, params), &RenderParams { mapping, follow, ..*params })
+}
+
+/// The variant that shows this.
+pub(super) fn shown_as(shown: Shown, kind: MapKind, params: &RenderParams) -> Variant {
     // Only directions are those of the mapping; all else is the same on three planes, whose vertices are the mesh's, but for
     // the footprint of its own uv.
-    let mapping = match (shown, mapping) {
+    let mapping = match (shown, params.mapping) {
         (Shown::Frames, mapping) | (Shown::Level, mapping @ Mapping::Uv) => mapping,
         _ => Mapping::Triplanar,
     };
-    let variant = Variant::new(Pass::Debug, kind(view, params)).mapped(&RenderParams { mapping, follow, ..*params });
+    let variant = Variant::new(Pass::Debug, kind).mapped(&RenderParams { mapping, ..*params });
     let variant = variant.with("DEBUG", shown as u32);
     match shown {
         Shown::Stripes => Variant { feed: Feed::Lines, fragment: "fragment_lines", ..variant },

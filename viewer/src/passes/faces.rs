@@ -17,15 +17,20 @@ pub(crate) fn group_rows(groups: u32) -> [u32; 2] {
     [groups.min(GROUPS_PER_ROW), groups.div_ceil(GROUPS_PER_ROW)]
 }
 
-/// The two compute passes, in both forms.
+/// The two compute passes, made when first needed.
+#[derive(Default)]
 pub(crate) struct Faces {
-    /// By form: hardened, literal.
+    made: Option<Pipelines>,
+}
+
+/// By form: hardened, literal.
+struct Pipelines {
     geometry: [wgpu::ComputePipeline; 2],
     frames: [wgpu::ComputePipeline; 2],
 }
 
-impl Faces {
-    pub(crate) fn new(gpu: &Gpu, layouts: &Layouts) -> Self {
+impl Pipelines {
+    fn new(gpu: &Gpu, layouts: &Layouts) -> Self {
         let pipelines = |pass: Pass, group: &wgpu::BindGroupLayout| {
             let module = module(gpu, pass);
             let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -48,9 +53,16 @@ impl Faces {
             })
         };
         Self {
-            geometry: pipelines(Pass::FaceGeometry, &layouts.face_geometry),
-            frames: pipelines(Pass::FaceFrames, &layouts.face_frames),
+            geometry: pipelines(Pass::FaceGeometry, &layouts.storage().face_geometry),
+            frames: pipelines(Pass::FaceFrames, &layouts.storage().face_frames),
         }
+    }
+}
+
+impl Faces {
+    /// Makes the pipelines, if they are not made.
+    pub(crate) fn make(&mut self, gpu: &Gpu, layouts: &Layouts) {
+        self.made.get_or_insert_with(|| Pipelines::new(gpu, layouts));
     }
 
     /// What is out of date and read by a method; the frames only where they are.
@@ -62,7 +74,8 @@ impl Faces {
             world_from_mesh: scene.world_from_mesh,
         };
         let key = FramesKey { geometry, lights: scene.lights, light_count: scene.light_count };
-        let computed = draw.placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
+        let Some(placed) = &draw.placed else { return Due::default() };
+        let computed = placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
         Due {
             geometry: (computed.geometry != Some(geometry)).then_some(geometry),
             frames: (draw.variant.faces.frames && computed.frames != Some(key)).then_some(key),
@@ -71,24 +84,25 @@ impl Faces {
 
     /// Records what is due.
     pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, frame: &wgpu::BindGroup, draws: &[Draw<'_>]) {
+        let Some(Pipelines { geometry, frames }) = &self.made else { return };
         for draw in draws {
-            let due = Self::due(draw);
+            let (due, Some(placed)) = (Self::due(draw), &draw.placed) else { continue };
             if due.is_none() {
                 continue;
             }
             let form = form_constant(draw.form) as usize;
-            let groups = &draw.placed.groups;
-            let mut computed = draw.placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
+            let groups = &placed.groups;
+            let mut computed = placed.computed.lock().unwrap_or_else(PoisonError::into_inner);
             pass.set_bind_group(0, frame, &Offsets { scene: draw.scene.1, ..Offsets::default() }.of_group());
             let [columns, rows] = group_rows(draw.mesh.triangle_count().div_ceil(64));
             if due.geometry.is_some() {
-                pass.set_pipeline(&self.geometry[form]);
+                pass.set_pipeline(&geometry[form]);
                 pass.set_bind_group(1, &groups.geometry, &[]);
                 pass.dispatch_workgroups(columns, rows, 1);
                 computed.geometry = due.geometry;
             }
             if due.frames.is_some() {
-                pass.set_pipeline(&self.frames[form]);
+                pass.set_pipeline(&frames[form]);
                 pass.set_bind_group(1, &groups.frames, &[]);
                 pass.dispatch_workgroups(columns, rows, 1);
                 computed.frames = due.frames;
@@ -98,6 +112,7 @@ impl Faces {
 }
 
 /// What of the faces is to be computed anew.
+#[derive(Default)]
 pub(crate) struct Due {
     geometry: Option<GeometryKey>,
     frames: Option<FramesKey>,

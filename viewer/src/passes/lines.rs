@@ -39,43 +39,52 @@ impl LineKind {
 /// Blue, in linear light, that lets paper and ink through and is neither.
 const WIREFRAME_COLOUR: [f32; 4] = [0.03, 0.25, 1.0, 0.7];
 
-/// The line pipelines.
+/// The line pipelines, made when first needed.
+#[derive(Default)]
 pub(crate) struct Lines {
+    made: Option<Made>,
+    pipelines: HashMap<TargetFormats, wgpu::RenderPipeline>,
+}
+
+/// What does not depend on the target.
+struct Made {
     /// Mark the lines in blocks of edges, sum them up, list them.
     listing: [wgpu::ComputePipeline; 3],
     module: wgpu::ShaderModule,
     layout: wgpu::PipelineLayout,
-    pipelines: HashMap<TargetFormats, wgpu::RenderPipeline>,
 }
 
-impl Lines {
-    pub(crate) fn new(gpu: &Gpu, layouts: &Layouts) -> Self {
+impl Made {
+    fn new(gpu: &Gpu, layouts: &Layouts) -> Self {
+        let storage = layouts.storage();
         Self {
             listing: listing(gpu, layouts),
             module: module(gpu, Pass::Lines),
             layout: gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some("lines"),
-                bind_group_layouts: &[Some(&layouts.frame), Some(&layouts.line_mesh), Some(&layouts.lines)],
+                bind_group_layouts: &[Some(&layouts.frame), Some(&storage.line_mesh), Some(&storage.lines)],
                 immediate_size: 0,
             }),
-            pipelines: HashMap::new(),
         }
     }
+}
 
+impl Lines {
     /// The lines that are drawn, the uppermost last.
     pub(crate) fn drawn(params: &RenderParams, inspect: &Inspect) -> impl Iterator<Item = LineKind> {
         let wireframe = inspect.wireframe.map(|_| LineKind::Wireframe);
         wireframe.into_iter().chain(params.silhouettes.map(|_| LineKind::Silhouettes))
     }
 
-    /// Makes the pipeline for a target, when it is first needed.
-    pub(crate) fn make_pipeline(&mut self, gpu: &Gpu, formats: TargetFormats) {
+    /// Makes the pipelines for a target, if they are not made.
+    pub(crate) fn make(&mut self, gpu: &Gpu, layouts: &Layouts, formats: TargetFormats) {
+        let Made { module, layout, .. } = self.made.get_or_insert_with(|| Made::new(gpu, layouts));
         self.pipelines.entry(formats).or_insert_with(|| {
             gpu.render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some("lines"),
-                layout: Some(&self.layout),
+                layout: Some(layout),
                 vertex: wgpu::VertexState {
-                    module: &self.module,
+                    module,
                     entry_point: Some("vertex"),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
                     buffers: &[],
@@ -87,7 +96,7 @@ impl Lines {
                 depth_stencil: Some(depth_state(formats.depth, false)),
                 multisample: wgpu::MultisampleState { count: formats.samples, ..Default::default() },
                 fragment: Some(wgpu::FragmentState {
-                    module: &self.module,
+                    module,
                     entry_point: Some("fragment"),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
                     targets: &[Some(wgpu::ColorTargetState {
@@ -109,15 +118,17 @@ impl Lines {
 
     /// Lists the edges that are lines, where not all are.
     pub(crate) fn list(&self, pass: &mut wgpu::ComputePass<'_>, frame: &wgpu::BindGroup, draws: &[Draw<'_>]) {
+        let Some(Made { listing, .. }) = &self.made else { return };
         for draw in draws {
+            let Some(placed) = &draw.placed else { continue };
             for (_, style) in draw.lines.iter().filter(|(kind, _)| *kind == LineKind::Silhouettes) {
                 let offsets = Offsets { scene: draw.scene.1, style: *style, ..Offsets::default() };
                 pass.set_bind_group(0, frame, &offsets.of_group());
-                pass.set_bind_group(1, &draw.placed.groups.line_mesh, &[]);
-                pass.set_bind_group(2, &draw.placed.groups.line_edges, &[]);
+                pass.set_bind_group(1, &placed.groups.line_mesh, &[]);
+                pass.set_bind_group(2, &placed.groups.line_edges, &[]);
                 let [columns, rows] =
                     group_rows(draw.mesh.buffers.edge_count.div_ceil((BLOCK_EDGES * BLOCK_LANES) as u32));
-                let [mark, sum, list] = &self.listing;
+                let [mark, sum, list] = listing;
                 for (pipeline, columns, rows) in [(mark, columns, rows), (sum, 1, 1), (list, columns, rows)] {
                     pass.set_pipeline(pipeline);
                     pass.dispatch_workgroups(columns, rows, 1);
@@ -140,13 +151,14 @@ impl Lines {
         };
         pass.set_pipeline(pipeline);
         for draw in draws {
+            let Some(placed) = &draw.placed else { continue };
             for (kind, style) in &draw.lines {
                 let offsets = Offsets { scene: draw.scene.1, style: *style, ..Offsets::default() };
                 pass.set_bind_group(0, frame, &offsets.of_group());
-                pass.set_bind_group(1, &draw.placed.groups.line_mesh, &[]);
-                pass.set_bind_group(2, &draw.placed.groups.lines, &[]);
+                pass.set_bind_group(1, &placed.groups.line_mesh, &[]);
+                pass.set_bind_group(2, &placed.groups.lines, &[]);
                 match kind {
-                    LineKind::Silhouettes => pass.draw_indirect(&draw.placed.line_arguments, 0),
+                    LineKind::Silhouettes => pass.draw_indirect(&placed.line_arguments, 0),
                     LineKind::Wireframe => pass.draw(0..4, 0..draw.mesh.buffers.edge_count),
                 }
             }
@@ -156,10 +168,10 @@ impl Lines {
 
 fn listing(gpu: &Gpu, layouts: &Layouts) -> [wgpu::ComputePipeline; 3] {
     let module = module(gpu, Pass::LineEdges);
-    let label = Some(Pass::LineEdges.name());
+    let (label, storage) = (Some(Pass::LineEdges.name()), layouts.storage());
     let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
-        bind_group_layouts: &[Some(&layouts.frame), Some(&layouts.line_mesh), Some(&layouts.line_edges)],
+        bind_group_layouts: &[Some(&layouts.frame), Some(&storage.line_mesh), Some(&storage.line_edges)],
         immediate_size: 0,
     });
     ["mark", "sum", "list"].map(|entry_point| {

@@ -44,8 +44,12 @@ impl Variant {
             Mapping::Frames => Feed::Faces,
             Mapping::Triplanar => Feed::Vertices,
             Mapping::Patches if follows => Feed::Turning,
-            Mapping::Patches | Mapping::Lapped => Feed::Corners,
+            Mapping::Patches => Feed::Corners,
+            Mapping::Lapped => Feed::Lapped,
         };
+        if self.feed == Feed::Lapped {
+            self.fragment = "fragment_lapped";
+        }
         let this = self.with("FOLLOW", u32::from(follows));
         this.with("FORM", form_constant(params.form)).with("MAPPING", cpu::Mapping::from(params.mapping) as u32)
     }
@@ -116,8 +120,8 @@ impl Shading {
                 pass.set_pipeline(&self.pipelines[draw.pipeline]);
                 set = Some(draw.pipeline);
             }
-            if draw.variant.feed.is_pulled() {
-                pass.set_bind_group(1, &draw.placed.groups.drawn, &[]);
+            if let Some(placed) = draw.placed.as_ref().filter(|_| draw.variant.feed.is_pulled()) {
+                pass.set_bind_group(1, &placed.groups.drawn, &[]);
             }
             pass.set_bind_group(3, &draw.surface, &[]);
             for (slot, buffer) in draw.fed.buffers.iter().enumerate() {
@@ -148,7 +152,7 @@ pub(crate) fn module(gpu: &Gpu, pass: Pass) -> wgpu::ShaderModule {
     })
 }
 
-fn shading_pipeline(
+pub(super) fn shading_pipeline(
     gpu: &Gpu,
     layouts: &Layouts,
     module: &wgpu::ShaderModule,
@@ -160,7 +164,7 @@ fn shading_pipeline(
         label: Some(variant.pass.name()),
         bind_group_layouts: &[
             Some(&layouts.frame),
-            variant.feed.is_pulled().then_some(&layouts.mesh),
+            variant.feed.is_pulled().then(|| &layouts.storage().mesh),
             Some(&layouts.map),
             Some(&layouts.surface),
         ],

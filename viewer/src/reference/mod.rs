@@ -238,7 +238,7 @@ impl Reference {
     }
 
     fn corner(&self, corners: &Corners, i: usize) -> Carried {
-        let Corners { stands, patches, seeds, lines, rows, .. } = corners;
+        let Corners { stands, patches, over, seeds, lines, rows, .. } = corners;
         let vertex = match stands[i] {
             Stand::Vertex(vertex) => self.vertices[vertex as usize],
             Stand::Middle(face) => {
@@ -253,6 +253,7 @@ impl Reference {
         Carried {
             vertex,
             patches: patches.get(i).copied().unwrap_or_default(),
+            over: over.get(i).copied().unwrap_or_default(),
             seeds: seeds.get(i).copied().unwrap_or([NO_SEED; OVERLAPS]),
             lines: lines.get(i).copied().unwrap_or_default(),
             rows: rows.get(i).copied().unwrap_or_default(),

@@ -3,11 +3,12 @@
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::cpu::face_frame_vertex::HatchOut;
 use tam_shaders::cpu::lib::faced::faced_vertex;
+use tam_shaders::cpu::lib::patched::lapped_vertex;
 use tam_shaders::cpu::lib::patches::{OVERLAPS, Overlap};
 use tam_shaders::cpu::lib::stages::{Carried, stage};
 use tam_shaders::cpu::lib::striped::{line_vertex, stroke_vertex};
 use tam_shaders::cpu::lib::surface::{FragmentIn, VertexOut};
-use tam_shaders::cpu::six_way::{Weights, vertex_weights};
+use tam_shaders::cpu::six_way::{Weights, vertex_weights, weighted_tone};
 use tam_shaders::cpu::{
     Bindings, Quad, debug, face_frame, face_frame_vertex, fine_tone, phong, six_way, stripes, stroke_map,
 };
@@ -36,7 +37,9 @@ pub(super) struct Corner {
     normal: DVec3,
     uv: DVec2,
     six: Weights,
+    tone: f64,
     overlap: Overlap,
+    over: Overlap,
     ring: DVec4,
     rows: [u32; OVERLAPS],
     hatch: HatchOut,
@@ -66,7 +69,13 @@ impl Shader {
             return Corner { clip: hatch.clip, hatch, ..Corner::default() };
         }
         let Carried { vertex, patches, seeds, lines, rows, index, .. } = carried;
+        let mut over = Overlap::default();
         let (surface, overlap, ring) = match feed {
+            Feed::Lapped => {
+                let (surface, lapped) = lapped_vertex(b, vertex, [patches, &carried.over]);
+                over = lapped.then;
+                (surface, lapped.first, DVec4::ZERO)
+            }
             Feed::Lines => {
                 let (surface, ring) = line_vertex(b, vertex, lines);
                 (surface, Overlap::default(), ring)
@@ -79,8 +88,9 @@ impl Shader {
             }
         };
         let six = if self == Self::SixWay { vertex_weights(b, &surface) } else { Weights::default() };
+        let tone = if self == Self::SixWay { weighted_tone(b.material, &six) } else { 0.0 };
         let VertexOut { clip, p_world, normal, uv } = surface;
-        Corner { clip, p_world, normal, uv, six, overlap, ring, rows: *rows, hatch: HatchOut::default() }
+        Corner { clip, p_world, normal, uv, six, tone, overlap, over, ring, rows: *rows, hatch: HatchOut::default() }
     }
 
     /// Colour of one fragment of a quad, linear light. `weights` are those of the corners at each fragment, `place_px`
@@ -102,20 +112,26 @@ impl Shader {
             normal: mixed(*weights, corners.map(|corner| corner.normal)),
             uv: mixed(*weights, corners.map(|corner| corner.uv)),
             overlap: Overlap::mixed(*weights, corners.map(|corner| corner.overlap)),
+            over: Overlap::mixed(*weights, corners.map(|corner| corner.over)),
+            tone: mixed(*weights, corners.map(|corner| corner.tone)),
             ring: mixed(*weights, corners.map(|corner| corner.ring)),
             rows: corners[0].rows,
             face,
         });
         match self {
             Self::Phong => phong::fragment(b, &quad[lane], front),
+            Self::FineTone if feed == Feed::Lapped => fine_tone::fragment_lapped(b, &quad[lane], front),
             Self::FineTone => fine_tone::fragment(b, &quad, lane, front),
+            Self::StrokeMap if feed == Feed::Lapped => stroke_map::fragment_lapped(b, &quad[lane], front),
             Self::StrokeMap => stroke_map::fragment(b, &quad, lane, front),
             Self::Stripes if feed == Feed::Strokes => stripes::fragment_strokes(b, &quad, lane, front),
             Self::Stripes => stripes::fragment(b, &quad, lane, front),
+            Self::Debug if feed == Feed::Lapped => debug::fragment_lapped(b, &quad, place_px, lane, front),
             Self::Debug if feed == Feed::Lines => debug::fragment_lines(b, &quad, place_px, lane, front),
             Self::Debug if feed == Feed::Faced => debug::fragment_faces(b, &quad[lane], front),
             Self::Debug => debug::fragment(b, &quad, place_px, lane, front),
             Self::FaceFrame => face_frame::fragment(b, &quad[lane], front),
+            Self::SixWay if feed == Feed::Lapped => six_way::fragment_lapped(b, &quad[lane], front),
             Self::SixWay => {
                 let six = Weights {
                     light: mixed(weights[lane], corners.map(|corner| corner.six.light)),

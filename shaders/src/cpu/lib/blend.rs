@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::mapping::{Mapped, map_surface, mean_footprint, pattern_count};
 use super::material::tile_uv;
+use super::patched::Lapped;
 use super::patches::{OVERLAPS, Overlap, copies, overlap_weights, seed_turn, turned_uv};
 use super::surface::Point;
 use crate::cpu::builtin::mix;
@@ -82,13 +83,26 @@ pub fn painted_ink(under: f64, alpha: f64, ink: impl Fn() -> f64) -> f64 {
     if alpha <= 0.0 { under } else { mix(under, ink(), alpha.min(1.0)) }
 }
 
-/// Lapped textures, painted one over the other.
-pub fn lapped_ink(b: &Bindings<'_>, overlap: &Overlap, tiles_per_px: f64, d: f64, pattern_ink: PatternInk<'_>) -> f64 {
+/// Four lapped textures, painted one over the other and over what lies under them.
+pub fn overlapped_ink(
+    b: &Bindings<'_>,
+    under: f64,
+    overlap: &Overlap,
+    tiles_per_px: f64,
+    d: f64,
+    pattern_ink: PatternInk<'_>,
+) -> f64 {
     let painted = |under, i: usize| {
         let place = tile_uv(b.material, overlap.places[i]);
         painted_ink(under, overlap.behind[i], || pattern_ink(place, tiles_per_px, d))
     };
-    (0..OVERLAPS).fold(0.0, painted)
+    (0..OVERLAPS).fold(under, painted)
+}
+
+/// Lapped textures, painted one over the other.
+pub fn lapped_ink(b: &Bindings<'_>, lapped: &Lapped, tiles_per_px: f64, d: f64, pattern_ink: PatternInk<'_>) -> f64 {
+    let ink = overlapped_ink(b, 0.0, &lapped.first, tiles_per_px, d, pattern_ink);
+    overlapped_ink(b, ink, &lapped.then, tiles_per_px, d, pattern_ink)
 }
 
 /// Ink of whatever lies on the surface at one fragment of a quad. `of_pattern` gives the ink of pattern `i` of the
@@ -104,13 +118,9 @@ pub fn surface_ink(
 ) -> f64 {
     let point = &points[lane];
     let form = b.options.form;
-    if !matches!(b.options.mapping, Mapping::Patches | Mapping::Lapped) {
-        let mapped = Quad::from_fn(|lane| map_surface(b, points, lane));
-        return blended_ink(b.options, &mapped[lane], d, |i, d| of_pattern(&mapped, i, d));
-    }
-    let tiles_per_px = mean_footprint(form, b.scene, b.material, point);
     if b.options.mapping == Mapping::Patches {
-        return patches_ink(b, overlap, tiles_per_px, d, of_patch);
+        return patches_ink(b, overlap, mean_footprint(form, b.scene, b.material, point), d, of_patch);
     }
-    lapped_ink(b, overlap, tiles_per_px, d, of_patch)
+    let mapped = Quad::from_fn(|lane| map_surface(b, points, lane));
+    blended_ink(b.options, &mapped[lane], d, |i, d| of_pattern(&mapped, i, d))
 }

@@ -8,6 +8,7 @@ use super::face_frame::{complex_square, fixed_tangent, unpack_shares};
 use super::mapping::triplanar_weights;
 use super::material::Material;
 use super::octahedral::oct_decode;
+use super::patched::Lapped;
 use super::patches::{OVERLAPS, Overlap, copies, overlap_weights, seed_turn};
 use super::surface::Point;
 use crate::cpu::{Bindings, Mapping, Quad};
@@ -97,11 +98,16 @@ pub fn painted_direction(material: &Material, under: DVec2, st_dx: DVec2, st_dy:
     under.lerp(pattern_direction(material, st_dx, st_dy), alpha.clamp(0.0, 1.0))
 }
 
+/// Of four lapped textures.
+pub fn overlapped_direction(material: &Material, under: DVec2, overlap: &Overlap, slopes: &OverlapSlopes) -> DVec2 {
+    (0..OVERLAPS)
+        .fold(under, |under, i| painted_direction(material, under, slopes.dx[i], slopes.dy[i], overlap.behind[i]))
+}
+
 /// Of lapped textures.
-pub fn lapped_direction(b: &Bindings<'_>, overlap: &Overlap, slopes: &OverlapSlopes) -> DVec2 {
-    (0..OVERLAPS).fold(DVec2::ZERO, |under, i| {
-        painted_direction(b.material, under, slopes.dx[i], slopes.dy[i], overlap.behind[i])
-    })
+pub fn lapped_direction(material: &Material, lapped: &Lapped, first: &OverlapSlopes, then: &OverlapSlopes) -> DVec2 {
+    let under = overlapped_direction(material, DVec2::ZERO, &lapped.first, first);
+    overlapped_direction(material, under, &lapped.then, then)
 }
 
 /// Of the mapping; `uv_dx` and `uv_dy` are changes of the point's uv.
@@ -116,7 +122,7 @@ pub fn mapped_direction(
         Mapping::Frames => frame_direction(b.material, point.framing, [uv_dx, uv_dy], [dx, dy]),
         Mapping::Triplanar => triplanar_direction(b.material, point.normal, dx, dy),
         Mapping::Patches => patches_direction(b, overlap, slopes),
-        Mapping::Lapped => lapped_direction(b, overlap, slopes),
-        Mapping::Uv => pattern_direction(b.material, uv_dx, uv_dy),
+        // Lapped textures are drawn on their own.
+        Mapping::Uv | Mapping::Lapped => pattern_direction(b.material, uv_dx, uv_dy),
     }
 }

@@ -48,6 +48,24 @@ pub fn patched_turning(
     patched(surface_vertex(b.scene, vertex, DVec2::ZERO), overlap)
 }
 
+/// Lapped textures at a fragment or a vertex, in the order of painting.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lapped {
+    /// The four that are painted first.
+    pub first: Overlap,
+    /// Those over them.
+    pub then: Overlap,
+}
+
+/// A corner of a triangle with its lapped textures.
+pub fn lapped_vertex(b: &Bindings<'_>, vertex: &Vertex, corners: [&PatchCorner; 2]) -> (VertexOut, Lapped) {
+    let [first, then] = corners.map(|corner| {
+        let (places, behind) = fetched(corner);
+        carried_overlap(b.options.mapping, places, behind, [NO_SEED; OVERLAPS])
+    });
+    (surface_vertex(b.scene, vertex, DVec2::ZERO), Lapped { first, then })
+}
+
 /// Three vertices to a face, counted from the first face of the draw: the first two seeds are shares and normal of the
 /// face's frame.
 pub fn patched_face(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap) {
@@ -61,6 +79,11 @@ pub fn patched_face(b: &Bindings<'_>, index: u32) -> (VertexOut, Overlap) {
 pub fn patched_point(scene: &Scene, input: &FragmentIn, front: bool) -> Point {
     let [shares, normal_oct, ..] = input.overlap.seeds;
     Point { framing: [shares, normal_oct], ..surface_point(scene, input, front) }
+}
+
+/// What a fragment gets of lapped textures.
+pub fn lapped_of(input: &FragmentIn) -> Lapped {
+    Lapped { first: input.overlap, then: input.over }
 }
 
 /// What a fragment gets of the patches that overlap there.

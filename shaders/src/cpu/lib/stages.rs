@@ -19,6 +19,8 @@ pub struct Carried {
     pub uv: DVec2,
     /// What a corner sees of patches.
     pub patches: PatchCorner,
+    /// Of lapped textures those that are painted over these.
+    pub over: PatchCorner,
     /// Their seeds.
     pub seeds: [u32; OVERLAPS],
     /// Of both fields of lines.
@@ -32,7 +34,7 @@ pub struct Carried {
 /// What the entry point of a feed hands on.
 ///
 /// # Panics
-/// If methods that draw with all mappings are not fed so.
+/// If it is another that hands on so.
 pub fn stage(b: &Bindings<'_>, feed: Feed, carried: &Carried) -> (VertexOut, Overlap) {
     let Carried { vertex, uv, patches, seeds, index, .. } = carried;
     match feed {
@@ -41,6 +43,6 @@ pub fn stage(b: &Bindings<'_>, feed: Feed, carried: &Carried) -> (VertexOut, Ove
         Feed::Corners => patched_corner(b, vertex, patches),
         Feed::Turning => patched_turning(b, vertex, patches, *seeds),
         Feed::Faces => patched_face(b, *index),
-        Feed::Lines | Feed::Strokes | Feed::Faced => panic!("{feed:?} feed no mapped method"),
+        Feed::Lapped | Feed::Lines | Feed::Strokes | Feed::Faced => panic!("{feed:?} feed no mapped method"),
     }
 }

@@ -33,6 +33,10 @@ pub struct FragmentIn {
     pub uv: DVec2,
     /// The patches that overlap here, for passes that draw on them.
     pub overlap: Overlap,
+    /// Of lapped textures those that are painted over these.
+    pub over: Overlap,
+    /// Of passes whose tone is that of the vertices.
+    pub tone: f64,
     /// Where lines end: weights of a side's corners, and windings of both phases.
     pub ring: DVec4,
     /// Rows of lines on the patches; the same for all corners of a triangle.

@@ -4,11 +4,12 @@ use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::debug::stripes_direction;
 use tam_shaders::cpu::lib::directions::{
-    OverlapSlopes, direction_across, frame_direction, lapped_direction, mapped_direction, painted_direction,
-    patch_direction, patches_direction, pattern_direction, rotated, triplanar_direction,
+    OverlapSlopes, direction_across, frame_direction, lapped_direction, mapped_direction, overlapped_direction,
+    painted_direction, patch_direction, patches_direction, pattern_direction, rotated, triplanar_direction,
 };
 use tam_shaders::cpu::lib::face_frame::fixed_tangent;
 use tam_shaders::cpu::lib::octahedral::oct_decode;
+use tam_shaders::cpu::lib::patched::Lapped;
 use tam_shaders::cpu::lib::patches::{copies, seed_turn};
 use tam_shaders::cpu::lib::striped::Phase;
 use tam_shaders::cpu::lib::surface::Point;
@@ -83,12 +84,30 @@ pub(crate) fn rows() -> Vec<Row> {
             .except_where(|b, case| is_short(b, case, 1.0, DVec3::X, DVec3::Y))
             .within(DIRECTION, 0.0),
         row(
-            "lapped_direction",
+            "overlapped_direction",
             Pass::Debug,
-            "vec4f(lapped_direction(case_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
+            "vec4f(overlapped_direction(d.xy, case_overlap(u32(d.w)), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
             steps,
         )
-        .twin(|b, case| two(lapped_direction(b, &Corner::new(case[3].w as usize).overlap(b.options), &slopes(case))))
+        .twin(|b, case| {
+            let overlap = Corner::new(case[3].w as usize).overlap(b.options);
+            two(overlapped_direction(b.material, xy(case[3]), &overlap, &slopes(case)))
+        })
+        .in_options([mapped(Mapping::Lapped)])
+        .except_where(corner_is_short)
+        .within(DIRECTION, 0.0),
+        row(
+            "lapped_direction",
+            Pass::Debug,
+            "vec4f(lapped_direction(Lapped(case_overlap(u32(d.w)), case_overlap(u32(d.w) + 1u)), OverlapSlopes(b.xyxy, b.yzzx, \
+             c.xyxy, c.yzzx), OverlapSlopes(b.xyxy, b.yzzx, c.xyxy, c.yzzx)), 0.0, 0.0)",
+            steps,
+        )
+        .twin(|b, case| {
+            let corner = |next| Corner::new(case[3].w as usize + next).overlap(b.options);
+            let lapped = Lapped { first: corner(0), then: corner(1) };
+            two(lapped_direction(b.material, &lapped, &slopes(case), &slopes(case)))
+        })
         .in_options([mapped(Mapping::Lapped)])
         .except_where(corner_is_short)
         .within(DIRECTION, 0.0),
@@ -111,7 +130,7 @@ pub(crate) fn rows() -> Vec<Row> {
             two(mapped_direction(b, &point, overlap, [dx, dy], [xy(case[1]), xy(case[2])]))
         })
         .in_options(
-            [Mapping::Uv, Mapping::Frames, Mapping::Triplanar, Mapping::Patches, Mapping::Lapped].map(mapped),
+            [Mapping::Uv, Mapping::Frames, Mapping::Triplanar, Mapping::Patches].map(mapped),
         )
         .except_where(|b, case| match b.options.mapping {
             Mapping::Uv => is_short(b, case, 1.0, DVec3::X, DVec3::Y),

@@ -1,12 +1,13 @@
 //! Rows of `lib/patches.wgsl`, and of what blends patches.
 
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::corner_weights;
-use tam_shaders::cpu::lib::blend::{lapped_ink, painted_ink, patch_ink, patches_ink, surface_ink};
+use tam_shaders::cpu::lib::blend::{lapped_ink, overlapped_ink, painted_ink, patch_ink, patches_ink, surface_ink};
 use tam_shaders::cpu::lib::material::tile_uv;
 use tam_shaders::cpu::lib::patched::{
-    no_overlap, patched, patched_corner, patched_face, patched_point, patched_turning, patched_uv, patched_vertex,
+    Lapped, lapped_of, lapped_vertex, no_overlap, patched, patched_corner, patched_face, patched_point,
+    patched_turning, patched_uv, patched_vertex,
 };
 use tam_shaders::cpu::lib::patches::{NO_SEED, Overlap, overlap_weights, seed_turn, turned_uv};
 use tam_shaders::cpu::lib::surface::{FragmentIn, surface_vertex};
@@ -205,17 +206,67 @@ pub(crate) fn rows() -> Vec<Row> {
             })
             .within(2.0 * SAMPLED, 0.0),
         row(
-            "lapped_ink",
+            "overlapped_ink",
             Pass::FineTone,
-            "vec4f(lapped_ink(case_overlap(u32(d.z)), map_scale(c.z), a.w), 0.0, 0.0, 0.0)",
+            "vec4f(overlapped_ink(b.x, case_overlap(u32(d.z)), map_scale(c.z), a.w), 0.0, 0.0, 0.0)",
             at_a_corner,
         )
         .twin(|b, case| {
             let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-            one(lapped_ink(b, &overlap(b, case), case[2].z, case[0].w, &ink))
+            one(overlapped_ink(b, case[1].x, &overlap(b, case), case[2].z, case[0].w, &ink))
         })
         .in_options([with(Mapping::Lapped, Blend::Union)])
         .within(2.0 * SAMPLED, 0.0),
+        row(
+            "lapped_ink",
+            Pass::FineTone,
+            "vec4f(lapped_ink(Lapped(case_overlap(u32(d.z)), case_overlap(u32(d.w))), map_scale(c.z), a.w), 0.0, 0.0, 0.0)",
+            at_a_corner,
+        )
+        .twin(|b, case| {
+            let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
+            let lapped = Lapped { first: overlap(b, case), then: Corner::new(case[3].w as usize).overlap(b.options) };
+            one(lapped_ink(b, &lapped, case[2].z, case[0].w, &ink))
+        })
+        .in_options([with(Mapping::Lapped, Blend::Union)])
+        .within(2.0 * SAMPLED, 0.0),
+        row(
+            "lapped_vertex",
+            Pass::FineTone,
+            "lapped_vertex(LappedIn(a.xyz, oct_encode(b.xyz), vec4f(0.0), vec4f(0.0), vec4f(0.5), 0.25 * \
+             case_overlap(u32(d.z)).places_ab, vec4f(0.25), case_overlap(u32(d.z)).behind)).places_ef + \
+             lapped_vertex(LappedIn(a.xyz, oct_encode(b.xyz), vec4f(0.0), vec4f(0.0), vec4f(0.5), vec4f(0.0), vec4f(0.25), \
+             case_overlap(u32(d.z)).behind)).alphas_efgh",
+            at_a_corner,
+        )
+        .twin(|b, case| {
+            let corner = corner(case);
+            let (_, Lapped { then, .. }) = lapped_vertex(b, &vertex_of(case), [&corner.patches, &corner.patches]);
+            let [a, b, ..] = then.places;
+            DVec4::new(a.x, a.y, b.x, b.y) + then.behind
+        })
+        .in_options([with(Mapping::Lapped, Blend::Union)])
+        .within(16.0 * U, 0.0),
+        row(
+            "lapped_of",
+            Pass::FineTone,
+            "lapped_of(LappedFragment(0.0, a, a, a, b, b, c)).first.places_cd + lapped_of(LappedFragment(0.0, a, a, a, b, b, \
+             c)).then.behind",
+            at_a_corner,
+        )
+        .twin(|_, case| {
+            let places = [DVec4::ZERO, case[0]].map(|v| [xy(v), DVec2::new(v.z, v.w)]).concat();
+            let first = Overlap { places: [places[0], places[1], places[2], places[3]], ..Overlap::default() };
+            let input = FragmentIn {
+                overlap: first,
+                over: Overlap { behind: case[2], ..Overlap::default() },
+                ..FragmentIn::default()
+            };
+            let Lapped { first, then } = lapped_of(&input);
+            let [.., c, d] = first.places;
+            DVec4::new(c.x, c.y, d.x, d.y) + then.behind
+        })
+        .within(4.0 * U, 0.0),
         // So far off that pixels are as large as texels and the level counts.
         row(
             "surface_ink",
@@ -230,8 +281,7 @@ pub(crate) fn rows() -> Vec<Row> {
         })
         .in_options([
             with(Mapping::Patches, Blend::Linear),
-            with(Mapping::Lapped, Blend::Union),
-            Options { form: Form::Literal, ..with(Mapping::Lapped, Blend::Union) },
+            Options { form: Form::Literal, ..with(Mapping::Patches, Blend::Union) },
         ])
         .within(8.0 * SAMPLED, 0.0),
         // A tone off by a power's error (see darkness) among 64 columns.

@@ -1,10 +1,12 @@
 //! Frames of several objects, in anyone's encoder, views and device: each object as if it were alone, instances of one
 //! upload, any number of parts.
 
+mod limits;
+
 use glam::{DMat4, DVec3, Vec3};
 use tam_gen::srgb;
-use tam_tests::gpu::{Stage, front_camera, mappings, renderer, scene_with, surface_for};
-use tam_viewer::gpu::{Gpu, PixelFormat, TargetFormats, TargetViews};
+use tam_tests::gpu::{Stage, device_with, front_camera, mappings, renderer, scene_with, surface_for};
+use tam_viewer::gpu::{PixelFormat, TargetFormats, TargetViews};
 use tam_viewer::mesh::sample::Sample;
 use tam_viewer::mesh::{Mesh, Part, prepare};
 use tam_viewer::{
@@ -133,10 +135,10 @@ fn instances_share_an_upload_and_have_lines_and_frames_of_their_own() {
         })
         .collect();
     let together = drawn(&mut stage, &scene, &turned, PixelFormat::Linear16);
-    // What is computed where they stand: 80 bytes a triangle, and the lists of lines. The upload is some 60 more.
-    let each = (gpu_mesh.bytes() - once) / 9;
+    // What is computed where they stand: 48 bytes a triangle, and the lists of lines. The upload is some 60 more.
+    let each = (gpu_mesh.bytes() - once) / 10;
     let triangles = u64::from(gpu_mesh.triangle_count());
-    assert!((80 * triangles..100 * triangles).contains(&each), "{each} bytes for {triangles} triangles");
+    assert!((48 * triangles..68 * triangles).contains(&each), "{each} bytes for {triangles} triangles");
     let after_ten = gpu_mesh.bytes();
     let mut joined = drawn(&mut stage, &scene, &[], PixelFormat::Linear16);
     let paper = joined.clone();
@@ -186,22 +188,9 @@ fn hundreds_of_parts_have_materials_of_their_own() {
     }
 }
 
-/// A device opened with nothing but what every WebGPU adapter has.
-fn plain_device() -> (wgpu::Device, wgpu::Queue, wgpu::AdapterInfo) {
-    let backends = wgpu::Backends::PRIMARY;
-    let descriptor = wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle() };
-    let instance = wgpu::Instance::new(descriptor);
-    let wanted = wgpu::RequestAdapterOptions::default();
-    let adapter = pollster::block_on(instance.request_adapter(&wanted)).expect("an adapter; see the README");
-    let descriptor = wgpu::DeviceDescriptor { required_limits: wgpu::Limits::default(), ..Default::default() };
-    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("a device");
-    (device, queue, adapter.get_info())
-}
-
 #[test]
 fn every_method_draws_on_a_device_with_default_limits_and_without_features() {
-    let (device, queue, info) = plain_device();
-    let mut renderer = Renderer::new(Gpu::shared(&device, &queue, &info));
+    let mut renderer = Renderer::new(device_with(wgpu::Limits::default()));
     let stage = Stage::new("fine-pen", SIDE);
     let map = renderer.map(std::sync::Arc::clone(&stage.map.source));
     let mesh = sample(Sample::Torus, 1500);
