@@ -24,11 +24,21 @@ fn contributed_ink(point: Point, n: vec3f, patterns: array<Pattern, 3>, level: f
         x = round(x);
         return column_ink(patterns[0].uv, level, x);
     }
-    // Nearly always the frame alone has a share.
+    // Nearly always the frame alone has a share. The loop is tested at its end, as that of the lights.
     let count = select(3u, 1u, patterns[0].weight > 0.999);
     var ink = 0.0;
-    for (var i = 0u; i < count; i++) {
-        ink += patterns[i].weight * column_ink(patterns[i].uv, level, x);
+    var pattern = patterns[0];
+    var i = 0u;
+    loop {
+        ink += pattern.weight * column_ink(pattern.uv, level, x);
+        i++;
+        if i >= count {
+            break;
+        }
+        pattern = patterns[2];
+        if i == 1u {
+            pattern = patterns[1];
+        }
     }
     return ink;
 }

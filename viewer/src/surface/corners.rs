@@ -92,6 +92,9 @@ use crate::params::Follow;
 /// Vertices that are looked at in one go.
 const BLOCK: usize = 1 << 12;
 
+/// Such blocks whose corners are in memory apart from all others.
+const BLOCKS_AT_ONCE: usize = 16;
+
 /// Where a corner stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stand {
@@ -199,18 +202,20 @@ impl Corners {
             (corners, numbers)
         };
         type Block = (Vec<(Stand, Carried)>, Vec<(u32, u32)>);
-        let blocks: Vec<Block> = (0..vertices.div_ceil(BLOCK)).into_par_iter().map(block).collect();
         let mut this = Self { indices: vec![0; 3 * triangles.len() + 6 * parted.len()], parted, ..Self::default() };
-        let corners = blocks.iter().map(|(corners, _)| corners.len()).sum::<usize>() + 9 * this.parted.len();
-        this.reserve(corners, &from);
-        for (corners, numbers) in blocks {
-            let first = this.stands.len() as u32;
-            for (slot, number) in numbers {
-                let at = this.range_of(slot / 3..slot / 3 + 1).start + slot % 3;
-                this.indices[at as usize] = first + number;
-            }
-            for (stand, carried) in corners {
-                this.push(stand, &carried, &from);
+        this.reserve(vertices + vertices / 4, &from);
+        let blocks: Vec<usize> = (0..vertices.div_ceil(BLOCK)).collect();
+        for blocks in blocks.chunks(BLOCKS_AT_ONCE) {
+            let blocks: Vec<Block> = blocks.into_par_iter().map(|number| block(*number)).collect();
+            for (corners, numbers) in blocks {
+                let first = this.stands.len() as u32;
+                for (slot, number) in numbers {
+                    let at = this.range_of(slot / 3..slot / 3 + 1).start + slot % 3;
+                    this.indices[at as usize] = first + number;
+                }
+                for (stand, carried) in corners {
+                    this.push(stand, &carried, &from);
+                }
             }
         }
         for part in 0..this.parted.len() {
@@ -227,12 +232,12 @@ impl Corners {
 
     fn reserve(&mut self, corners: usize, from: &From<'_>) {
         let asked = |is_asked: bool| if is_asked { corners } else { 0 };
-        self.stands.reserve_exact(corners);
-        self.patches.reserve_exact(asked(from.patches.is_some()));
-        self.over.reserve_exact(asked(from.is_lapped()));
-        self.seeds.reserve_exact(asked(from.seeds));
-        self.lines.reserve_exact(asked(from.stripes.is_some()));
-        self.rows.reserve_exact(asked(from.has_rows()));
+        self.stands.reserve(corners);
+        self.patches.reserve(asked(from.patches.is_some()));
+        self.over.reserve(asked(from.is_lapped()));
+        self.seeds.reserve(asked(from.seeds));
+        self.lines.reserve(asked(from.stripes.is_some()));
+        self.rows.reserve(asked(from.has_rows()));
     }
 
     fn push(&mut self, stand: Stand, carried: &Carried, from: &From<'_>) {
