@@ -85,10 +85,18 @@ pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLi
         let own = strokes.strokes.par_iter().zip(&first).filter(|(_, first)| usize::from(**first) == column);
         let of_stroke = |mut found: CentreLines, (stroke, _): (&Stroke, &u8)| {
             let options = &strokes.families[usize::from(stroke.family)].stroke;
-            found.skipped += usize::from(options.tip.is_some());
+            if options.tip.is_some() {
+                found.skipped += 1;
+                return found;
+            }
+            // Enough at any slope: hardly a sample has less.
+            let enough = (options.opacity * (1.0 - options.grain) * 255.0 - ROUNDING).max(0.0);
             for_each_sample(stroke, size, margin_uv(stroke, options, size), |texel, slope| {
-                let Some(floor) = centre_line_floor(stroke, slope, options) else { return };
                 found.samples += 1;
+                if f64::from(least_ink[texel]) >= enough {
+                    return;
+                }
+                let Some(floor) = centre_line_floor(stroke, slope, options) else { return };
                 if f64::from(least_ink[texel]) < floor {
                     found.missing += 1;
                     for (ink, missing) in cells.iter().zip(&mut found.missing_of_column).skip(column) {

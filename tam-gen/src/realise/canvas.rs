@@ -68,8 +68,10 @@ impl Canvas {
 
     /// Ink by rows, into the buffer of an older image.
     pub(crate) fn copy_ink_to(&self, ink: &mut Vec<u8>) {
-        ink.clear();
-        ink.extend(self.texels.iter().map(|texel| texel.ink()));
+        ink.resize(self.texels.len(), 0);
+        for (ink, texel) in ink.iter_mut().zip(&self.texels) {
+            *ink = texel.ink();
+        }
     }
 
     /// Sum of the weights of all texels: `SOLID` times texels times tone.
