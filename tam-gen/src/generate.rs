@@ -8,7 +8,7 @@ use crate::map::{Closing, Deficit, DeficitCause, Family, Grid, Level, Map, Strok
 use crate::placement::praun;
 use crate::preset::{FamilyOptions, PlacementMethod, Preset, ToneMeasure};
 use crate::raster::Nib;
-use crate::realise::{ColumnCounts, Counts, LevelScratch, Plan, distribution, realise_level};
+use crate::realise::{ColumnCounts, Counts, LevelScratch, Plan, Reached, distribution, realise_level};
 use crate::sequence::Sequence;
 
 /// Generates a map; one that makes many keeps a [`Generator`].
@@ -103,12 +103,13 @@ impl Generator {
         map.stroke_map.levels.resize_with(level_count, ThresholdLevel::default);
 
         let (scratch, levels) = (&mut self.scratch[..], &mut map.grid.levels[..]);
-        let causes;
-        (map.strokes, causes) = match preset.placement.method {
+        let reached: Vec<Vec<Reached>>;
+        (map.strokes, reached) = match preset.placement.method {
             PlacementMethod::Progressive | PlacementMethod::Random => {
                 let counts = draw_levels(&plan, &mut sequences, scratch, levels)?;
-                let causes = counts.iter().map(|counts| counts.columns.iter().map(|cell| cell.deficit).collect());
-                (list_strokes(&families, &sequences, &counts), causes.collect())
+                let reached = |cell: &ColumnCounts| Reached { sum: cell.sum, cause: cell.deficit };
+                let reached = counts.iter().map(|counts| counts.columns.iter().map(reached).collect()).collect();
+                (list_strokes(&families, &sequences, &counts), reached)
             }
             PlacementMethod::Praun => praun::draw_levels(&plan, preset, &families, &mut sequences, scratch, levels)?,
         };
@@ -118,7 +119,7 @@ impl Generator {
         map.stroke_map.distribution = distribution(&map.stroke_map.levels);
         map.grid.tones.clone_from(&tones);
         map.grid.hand_built = level_count;
-        map.deficits = deficits(&map.grid, plan.measure, &causes);
+        map.deficits = deficits(&map.grid, &reached);
         if preset.map.tail {
             crate::tail::append(&mut map.grid);
         }
@@ -240,12 +241,14 @@ fn list_strokes(families: &[Family], sequences: &[Sequence], counts: &[Counts]) 
 }
 
 /// The cells that miss their tones by more than quantisation explains.
-fn deficits(grid: &Grid, measure: &ToneMeasure, causes: &[Vec<Option<DeficitCause>>]) -> Vec<Deficit> {
+fn deficits(grid: &Grid, reached: &[Vec<Reached>]) -> Vec<Deficit> {
     let mut deficits = Vec::new();
-    for (level, causes) in causes.iter().enumerate() {
-        for (column, cause) in causes.iter().enumerate() {
-            let (wanted, reached) = (grid.tones[column], measure.tone(&grid.levels[level].cells[column]));
-            if (reached - wanted).abs() > tone_tolerance(grid.levels[level].size) {
+    for (level, reached) in reached.iter().enumerate() {
+        let size = grid.levels[level].size;
+        for (column, Reached { sum, cause }) in reached.iter().enumerate() {
+            let wanted = grid.tones[column];
+            let reached = *sum as f64 / (f64::from(ToneMeasure::SOLID) * f64::from(size) * f64::from(size));
+            if (reached - wanted).abs() > tone_tolerance(size) {
                 let cause = cause.unwrap_or(DeficitCause::Saturated);
                 deficits.push(Deficit { level, column, wanted, reached, cause });
             }

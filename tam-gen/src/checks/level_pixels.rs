@@ -1,5 +1,7 @@
 //! Level nesting by pixels alone.
 
+use rayon::prelude::*;
+
 use super::{CellFinding, Constraint, Finding, Limit, Subject, Verdict};
 use crate::map::Level;
 use crate::measure::{self, LevelNesting};
@@ -18,10 +20,9 @@ pub(super) fn check(subject: &Subject) -> Finding {
     if subject.grid.hand_built < 2 {
         return Finding::not_judged(constraint, "there is only one level");
     }
-    let mut cells = Vec::new();
-    for (level, pair) in subject.drawn().windows(2).enumerate() {
-        cells.extend(judge_pair(subject, level + 1, &pair[1], &pair[0]));
-    }
+    let pairs = subject.drawn().par_windows(2).enumerate();
+    let cells: Vec<CellFinding> =
+        pairs.flat_map_iter(|(level, pair)| judge_pair(subject, level + 1, &pair[1], &pair[0])).collect();
     if cells.is_empty() {
         return Finding::not_judged(
             constraint,
@@ -50,6 +51,7 @@ fn judge_pair(subject: &Subject, level: usize, coarse: &Level, fine: &Level) -> 
     };
     let light = subject.grid.columns().div_ceil(2);
     let judged: Vec<(usize, LevelNesting)> = (0..light)
+        .into_par_iter()
         .map(|column| (column, of(column)))
         .filter(|(_, nesting)| nesting.control() >= LEAST_CONTROL)
         .collect();

@@ -66,12 +66,9 @@ pub(super) fn pattern(subject: &Subject) -> Finding {
     for (level, thresholds) in map.levels.iter().enumerate() {
         let half_ink = half_covered(subject, level);
         let images = &subject.grid.levels[level].cells;
-        let judged: Vec<(usize, PatternMatch)> = images
-            .iter()
-            .map(|ink| measure::pattern_match(&thresholds.threshold, ink, thresholds.size, half_ink))
-            .enumerate()
-            .filter(|(_, found)| found.differing_by_chance >= LEAST_CONTROL)
-            .collect();
+        let found = measure::pattern_matches(&thresholds.threshold, images, thresholds.size, half_ink);
+        let judged: Vec<(usize, PatternMatch)> =
+            found.into_iter().enumerate().filter(|(_, found)| found.differing_by_chance >= LEAST_CONTROL).collect();
         let sum = |part: fn(&PatternMatch) -> f64| judged.iter().map(|(_, found)| part(found)).sum::<f64>();
         let pooled = sum(|found| found.differing) / sum(|found| found.differing_by_chance).max(1e-12);
         let limit = Limit::AtMost(PART_OF_CONTROL);

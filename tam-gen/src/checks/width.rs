@@ -1,11 +1,13 @@
 //! Stroke width.
 
-use std::cell::LazyCell;
+use std::sync::LazyLock;
+
+use rayon::prelude::*;
 
 use super::{CellFinding, Constraint, Finding, Limit, Subject};
 use crate::map::{Level, StrokeList};
 use crate::measure::{self, StrokeWidth};
-use crate::stroke::Axis;
+use crate::stroke::{Axis, Stroke};
 
 /// Largest change of the width from the finest level.
 const CHANGE: f64 = 0.1;
@@ -80,21 +82,24 @@ fn tells(samples: usize, to_quartile: f64) -> bool {
 /// Changes where strokes are known.
 fn changes_on_lines(subject: &Subject, strokes: &StrokeList) -> Vec<Change> {
     let light = subject.grid.columns().div_ceil(2);
-    let crowded_finest: Vec<LazyCell<Vec<bool>, _>> =
-        (0..light).map(|column| LazyCell::new(move || crowded(subject, strokes, 0, column))).collect();
-    (1..subject.grid.hand_built)
-        .filter_map(|level| {
-            (0..light).find_map(|column| change_on_lines(subject, strokes, level, column, &crowded_finest[column]))
-        })
-        .collect()
+    let crowded_finest: Vec<LazyLock<Vec<bool>, _>> =
+        (0..light).map(|column| LazyLock::new(move || crowded(subject, strokes, 0, column))).collect();
+    // From the finest level, where most strokes show it.
+    let full_ink = measure::full_ink(&subject.grid.levels[0].cells[0]);
+    let change = |level| {
+        (0..light)
+            .find_map(|column| change_on_lines(subject, strokes, (level, column), || &crowded_finest[column], full_ink))
+    };
+    (1..subject.grid.hand_built).into_par_iter().filter_map(change).collect()
 }
 
-fn change_on_lines(
+/// The change of a level in a column; `None` if too few places tell. `crowded_finest` is asked for only if enough are left.
+fn change_on_lines<'a>(
     subject: &Subject,
     strokes: &StrokeList,
-    level: usize,
-    column: usize,
-    crowded_finest: &[bool],
+    (level, column): (usize, usize),
+    crowded_finest: impl FnOnce() -> &'a [bool],
+    full_ink: u8,
 ) -> Option<Change> {
     let (coarse, finest) = (&subject.grid.levels[level], &subject.grid.levels[0]);
     let crowded_coarse = crowded(subject, strokes, level, column);
@@ -103,18 +108,21 @@ fn change_on_lines(
         (at(v) * size + at(u)) as usize
     };
     let drawn = strokes.strokes.iter().zip(&strokes.first_column[level]);
-    let places: Vec<(f32, f32)> = drawn
+    let mut places: Vec<(f32, f32)> = drawn
         .filter(|(stroke, first)| usize::from(**first) <= column && stroke.along_uv > 0.0)
         .flat_map(|(stroke, _)| {
             let steps = (stroke.along_uv * coarse.size as f32).ceil() as u32;
             let within = (1..steps).map(move |step| step as f32 / steps as f32);
             within.filter(|t| (ENDS..=1.0 - ENDS).contains(t)).map(|t| stroke.point_uv(t))
         })
-        .filter(|&at| !crowded_coarse[texel(coarse.size, at)] && !crowded_finest[texel(finest.size, at)])
+        .filter(|&at| !crowded_coarse[texel(coarse.size, at)])
         .collect();
+    if places.len() < SAMPLES {
+        return None;
+    }
+    let crowded_finest = crowded_finest();
+    places.retain(|&at| !crowded_finest[texel(finest.size, at)]);
 
-    // From the finest level, where most strokes show it.
-    let full_ink = measure::full_ink(&finest.cells[0]);
     let mut pairs: Vec<(f64, f64)> = places
         .iter()
         .step_by(places.len().div_ceil(SAMPLES_MAX).max(1))
@@ -172,33 +180,41 @@ fn widths_on_ink(subject: &Subject, coarsest: usize, column: usize) -> Option<Ve
 
 /// The texels of a cell that lie near more than one of its strokes.
 fn crowded(subject: &Subject, strokes: &StrokeList, level: usize, column: usize) -> Vec<bool> {
+    const NEAR: u8 = 1;
+    const CROWDED: u8 = 2;
     let size = subject.grid.levels[level].size;
-    let texels = (size * size) as usize;
-    // The last stroke near each texel, from 1 on.
-    let (mut near, mut crowded) = (vec![0; texels], vec![false; texels]);
+    let mut marks = vec![0_u8; size as usize * size as usize];
     let closing = &strokes.closing[level][column];
     for (i, stroke) in strokes.strokes.iter().enumerate() {
         let drawn = usize::from(strokes.first_column[level][i]) <= column;
         if !drawn && closing.iter().all(|closing| closing.stroke as usize != i) {
             continue;
         }
-        // A stroke ends half its width from its line, and so does its neighbour; a texel and more is paper between.
-        let reach = ((stroke.width_px + 1.0).ceil() as usize).min(size as usize / 2);
-        let side = size as usize;
-        measure::visit_centre_line(stroke, size, 0.0, |texel, _| {
-            // Across the stroke is enough: its samples follow each other along it.
-            let (x, y) = (texel % side, texel / side);
-            for off in 0..=2 * reach {
-                let at = match stroke.axis {
-                    Axis::X => (y + side - reach + off) % side * side + x,
-                    Axis::Y => y * side + (x + side - reach + off) % side,
-                };
-                crowded[at] |= near[at] != 0 && near[at] != i + 1;
-                near[at] = i + 1;
-            }
-        });
+        // First what strokes before left near it, then itself, so that a stroke does not crowd itself.
+        change_near(&mut marks, size, stroke, |mark| mark | ((mark & NEAR) * CROWDED));
+        change_near(&mut marks, size, stroke, |mark| mark | NEAR);
     }
-    crowded
+    marks.into_iter().map(|mark| mark & CROWDED != 0).collect()
+}
+
+/// Changes the marks of the texels near a stroke, some of them more than once.
+fn change_near(marks: &mut [u8], size: u32, stroke: &Stroke, change: impl Fn(u8) -> u8) {
+    // A stroke ends half its width from its line, and so does its neighbour; a texel and more is paper between.
+    let reach = ((stroke.width_px + 1.0).ceil() as usize).min(size as usize / 2);
+    let (side, texels) = (size as usize, marks.len());
+    measure::visit_centre_line(stroke, size, 0.0, |texel, _| {
+        // Across the stroke is enough: its samples follow each other along it.
+        let x = texel % side;
+        let (mut at, step, end) = match stroke.axis {
+            Axis::X => ((texel + texels - reach * side) % texels, side, texels),
+            Axis::Y => (texel - x + (x + side - reach) % side, 1, texel - x + side),
+        };
+        for _ in 0..=2 * reach {
+            marks[at] = change(marks[at]);
+            at += step;
+            at -= if at < end { 0 } else { step * side };
+        }
+    });
 }
 
 /// Widths of the levels from the finest to `coarsest` in a column, on the texels that `mask` gives for each level.

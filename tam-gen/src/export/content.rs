@@ -8,14 +8,21 @@ use crate::map::{Grid, Level, Map};
 
 /// The content of a file.
 pub(super) struct Content {
-    pub(super) bytes: Vec<u8>,
+    /// Its bytes, in pieces.
+    pub(super) pieces: Vec<Vec<u8>>,
     /// Continues [`Planned::what`] with what turned out while making it.
     pub(super) remark: String,
 }
 
 impl From<Vec<u8>> for Content {
     fn from(bytes: Vec<u8>) -> Self {
-        Self { bytes, remark: String::new() }
+        vec![bytes].into()
+    }
+}
+
+impl From<Vec<Vec<u8>>> for Content {
+    fn from(pieces: Vec<Vec<u8>>) -> Self {
+        Self { pieces, remark: String::new() }
     }
 }
 
@@ -37,13 +44,19 @@ fn key_values(map: &Map, preset_toml: &str) -> Result<Vec<(&'static str, String)
     ])
 }
 
-pub(super) fn array(map: &Map, preset_toml: &str) -> Result<Vec<u8>, String> {
-    let level = |level: &Level| level.cells.iter().flatten().map(|ink| 255 - ink).collect();
+pub(super) fn array(map: &Map, preset_toml: &str) -> Result<Vec<Vec<u8>>, String> {
+    let texels = |level: usize| {
+        let Level { size, cells } = &map.grid.levels[level];
+        let mut texels = Vec::with_capacity(cells.len() * *size as usize * *size as usize);
+        cells.iter().for_each(|ink| texels.extend(ink.iter().map(|ink| 255 - ink)));
+        texels.into()
+    };
     let texture = Texture {
         format: TexelFormat::R8,
         size: map.grid.levels[0].size,
         layers: map.grid.columns() as u32,
-        levels: map.grid.levels.iter().map(level).collect(),
+        levels: map.grid.levels.len(),
+        texels: &texels,
         key_values: key_values(map, preset_toml)?,
     };
     ktx2::write(&texture).map_err(|error| error.to_string())
@@ -55,7 +68,8 @@ pub(super) fn bc4_array(map: &Map, preset_toml: &str) -> Result<Content, String>
         format: TexelFormat::Bc4,
         size: map.grid.levels[0].size,
         layers: map.grid.columns() as u32,
-        levels: compressed.levels,
+        levels: compressed.levels.len(),
+        texels: &|level| compressed.levels[level][..].into(),
         key_values: key_values(map, preset_toml)?,
     };
     let nesting = match compressed.violations {
@@ -63,10 +77,10 @@ pub(super) fn bc4_array(map: &Map, preset_toml: &str) -> Result<Content, String>
         count => format!("nesting breaks at {count} texels"),
     };
     let remark = format!("; {nesting}, tones are off by up to {:.4}", compressed.tone_error);
-    Ok(Content { bytes: ktx2::write(&texture).map_err(|error| error.to_string())?, remark })
+    Ok(Content { pieces: ktx2::write(&texture).map_err(|error| error.to_string())?, remark })
 }
 
-pub(super) fn stroke_map(map: &Map, preset_toml: &str) -> Result<Vec<u8>, String> {
+pub(super) fn stroke_map(map: &Map, preset_toml: &str) -> Result<Vec<Vec<u8>>, String> {
     let mut key_values = key_values(map, preset_toml)?;
     let distribution = serde_json::to_string(&map.stroke_map.distribution).map_err(|error| error.to_string())?;
     key_values.push(("tam.distribution", distribution));
@@ -74,7 +88,8 @@ pub(super) fn stroke_map(map: &Map, preset_toml: &str) -> Result<Vec<u8>, String
         format: TexelFormat::R8,
         size: map.stroke_map.levels[0].size,
         layers: 0,
-        levels: map.stroke_map.levels.iter().map(|level| level.threshold.clone()).collect(),
+        levels: map.stroke_map.levels.len(),
+        texels: &|level| map.stroke_map.levels[level].threshold[..].into(),
         key_values,
     };
     ktx2::write(&texture).map_err(|error| error.to_string())
@@ -83,8 +98,9 @@ pub(super) fn stroke_map(map: &Map, preset_toml: &str) -> Result<Vec<u8>, String
 /// Columns `3 index ..` in R, G and B (Praun and others 2001, section 5), white where there are no more.
 ///
 /// Alpha is 255 throughout: loaders that multiply by alpha, and browsers do by default, would spoil the other three.
-pub(super) fn packed(map: &Map, preset_toml: &str, index: usize) -> Result<Vec<u8>, String> {
-    let level = |level: &Level| {
+pub(super) fn packed(map: &Map, preset_toml: &str, index: usize) -> Result<Vec<Vec<u8>>, String> {
+    let texels = |level: usize| {
+        let level = &map.grid.levels[level];
         let texels = level.size as usize * level.size as usize;
         let mut rgba = vec![255; 4 * texels];
         for (channel, ink) in level.cells.iter().skip(PACKED_COLUMNS * index).take(PACKED_COLUMNS).enumerate() {
@@ -92,7 +108,7 @@ pub(super) fn packed(map: &Map, preset_toml: &str, index: usize) -> Result<Vec<u
                 texel[channel] = 255 - ink;
             }
         }
-        rgba
+        rgba.into()
     };
     let mut key_values = key_values(map, preset_toml)?;
     key_values.push(("tam.packed", index.to_string()));
@@ -100,7 +116,8 @@ pub(super) fn packed(map: &Map, preset_toml: &str, index: usize) -> Result<Vec<u
         format: TexelFormat::Rgba8,
         size: map.grid.levels[0].size,
         layers: 0,
-        levels: map.grid.levels.iter().map(level).collect(),
+        levels: map.grid.levels.len(),
+        texels: &texels,
         key_values,
     };
     ktx2::write(&texture).map_err(|error| error.to_string())

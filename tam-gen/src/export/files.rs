@@ -54,11 +54,11 @@ impl Staging {
         Err(ExportError::Folder { path: path.to_path_buf(), source: io::ErrorKind::NotADirectory.into() })
     }
 
-    /// Writes a file under a temporary name.
-    pub(super) fn write(&self, target: &Path, bytes: &[u8]) -> Result<Staged, ExportError> {
+    /// Writes a file, given in pieces, under a temporary name.
+    pub(super) fn write(&self, target: &Path, pieces: &[Vec<u8>]) -> Result<Staged, ExportError> {
         let write = || {
             let mut temporary = temporary_in(&self.dir)?;
-            temporary.write_all(bytes)?;
+            pieces.iter().try_for_each(|piece| temporary.write_all(piece))?;
             temporary.flush()?;
             Ok(Staged { temporary, target: target.to_path_buf() })
         };

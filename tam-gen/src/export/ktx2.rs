@@ -3,6 +3,7 @@
 //! Source: KTX File Format Specification 2.0 (Khronos), sections 3 to 5; Khronos Data Format Specification 1.3 for the
 //! descriptor. `bytesPlane` keeps the size of the uncompressed texel, as the specification's revision of 2025 asks.
 
+use std::borrow::Cow;
 use std::io;
 
 use rayon::prelude::*;
@@ -26,7 +27,6 @@ pub enum TexelFormat {
 }
 
 /// A square texture to be written.
-#[derive(Debug)]
 pub struct Texture<'a> {
     /// How texels are stored.
     pub format: TexelFormat,
@@ -34,8 +34,11 @@ pub struct Texture<'a> {
     pub size: u32,
     /// Number of array layers; 0 for a texture that is no array.
     pub layers: u32,
-    /// For each level, finest first, the texels of all layers, one after the other, each by rows.
-    pub levels: Vec<Vec<u8>>,
+    /// How many levels it has.
+    pub levels: usize,
+    /// Makes the texels of a level, 0 the finest: those of all layers, one after the other, each by rows. Asked once for each
+    /// level, so that not all of them are in memory at once.
+    pub texels: &'a (dyn Fn(usize) -> Cow<'a, [u8]> + Sync),
     /// Metadata as text; keys of one's own must not begin with `KTX`.
     pub key_values: Vec<(&'a str, String)>,
 }
@@ -84,25 +87,28 @@ impl TexelFormat {
     }
 }
 
-/// The bytes of a KTX2 file, every level compressed by Zstandard.
+/// The bytes of a KTX2 file in pieces, every level compressed by Zstandard.
 ///
 /// # Errors
 ///
 /// Those of the compressor, which for input in memory means out of memory.
-pub fn write(texture: &Texture<'_>) -> io::Result<Vec<u8>> {
-    let compressed: Vec<Vec<u8>> = texture
-        .levels
-        .par_iter()
-        .map(|level| zstd::bulk::compress(level, ZSTD_LEVEL).map_err(io::Error::other))
-        .collect::<io::Result<_>>()?;
+pub fn write(texture: &Texture<'_>) -> io::Result<Vec<Vec<u8>>> {
+    let compress = |level| {
+        let texels = (texture.texels)(level);
+        let mut compressed = zstd::bulk::compress(&texels, ZSTD_LEVEL).map_err(io::Error::other)?;
+        compressed.shrink_to_fit();
+        Ok((compressed, texels.len()))
+    };
+    let compressed: Vec<(Vec<u8>, usize)> =
+        (0..texture.levels).into_par_iter().map(compress).collect::<io::Result<_>>()?;
     let descriptor = texture.format.descriptor();
     let key_values = key_value_bytes(&texture.key_values);
 
-    let descriptor_at = HEADER_BYTES + LEVEL_INDEX_BYTES * texture.levels.len();
+    let descriptor_at = HEADER_BYTES + LEVEL_INDEX_BYTES * texture.levels;
     let key_values_at = descriptor_at + descriptor.len();
     let data_at = key_values_at + key_values.len();
 
-    let mut out = Vec::with_capacity(data_at + compressed.iter().map(Vec::len).sum::<usize>());
+    let mut out = Vec::with_capacity(data_at);
     out.extend(IDENTIFIER);
     for word in [
         texture.format.vk_format(),
@@ -112,7 +118,7 @@ pub fn write(texture: &Texture<'_>) -> io::Result<Vec<u8>> {
         0, // depth
         texture.layers,
         1, // faces
-        texture.levels.len() as u32,
+        texture.levels as u32,
         2, // Zstandard
         descriptor_at as u32,
         descriptor.len() as u32,
@@ -126,21 +132,19 @@ pub fn write(texture: &Texture<'_>) -> io::Result<Vec<u8>> {
     // Levels lie in the file coarsest first, so that a stream can show something early; the index is finest first.
     let mut offset = data_at;
     let mut offsets = vec![0; compressed.len()];
-    for (level, data) in compressed.iter().enumerate().rev() {
+    for (level, (data, _)) in compressed.iter().enumerate().rev() {
         offsets[level] = offset;
         offset += data.len();
     }
-    for ((offset, data), plain) in offsets.iter().zip(&compressed).zip(&texture.levels) {
-        for number in [*offset, data.len(), plain.len()] {
+    for (offset, (data, plain)) in offsets.iter().zip(&compressed) {
+        for number in [*offset, data.len(), *plain] {
             out.extend((number as u64).to_le_bytes());
         }
     }
     out.extend(descriptor);
     out.extend(key_values);
-    for data in compressed.iter().rev() {
-        out.extend(data);
-    }
-    Ok(out)
+    let levels = compressed.into_iter().rev().map(|(data, _)| data);
+    Ok(std::iter::once(out).chain(levels).collect())
 }
 
 /// The key/value section: sorted by key, values as text that ends in NUL, entries padded to four bytes.

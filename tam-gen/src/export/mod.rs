@@ -98,7 +98,8 @@ pub fn export(
             let content = (file.make)().map_err(|problem| ExportError::Encode { path: target.clone(), problem })?;
             stop_if_cancelled(job)?;
             let what = format!("{}{}", file.what, content.remark);
-            Ok((staging.write(target, &content.bytes)?, content.bytes.len() as u64, what))
+            let bytes = content.pieces.iter().map(|piece| piece.len() as u64).sum();
+            Ok((staging.write(target, &content.pieces)?, bytes, what))
         })
         .collect::<Result<_, ExportError>>()?;
 
@@ -111,8 +112,9 @@ pub fn export(
     let manifest = Manifest::new(map, name, preset_toml.clone(), listed.clone(), job);
     let target = dir.join(&manifest_path);
     let json = json(&manifest).map_err(|problem| ExportError::Encode { path: target.clone(), problem })?;
-    staged.push(staging.write(&target, &json)?);
-    listed.push(ManifestFile { path: manifest_path, bytes: json.len() as u64, what: "manifest".into() });
+    let bytes = json.len() as u64;
+    staged.push(staging.write(&target, &[json])?);
+    listed.push(ManifestFile { path: manifest_path, bytes, what: "manifest".into() });
 
     stop_if_cancelled(job)?;
     staging.commit(staged)?;

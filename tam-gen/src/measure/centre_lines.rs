@@ -4,6 +4,8 @@
 //! stroke list a stroke that a coarse level draws is also drawn by every finer level, so it is enough to take each level
 //! with the lightest column in which it, or any coarser level, draws a stroke whole.
 
+use rayon::prelude::*;
+
 use crate::map::{Grid, StrokeList};
 use crate::preset::StrokeOptions;
 use crate::stroke::{Axis, Stroke};
@@ -19,6 +21,19 @@ pub struct CentreLines {
     pub missing_of_column: Vec<usize>,
     /// Strokes not judged: those drawn with a tip, whose shape is free.
     pub skipped: usize,
+}
+
+impl CentreLines {
+    /// What was found on some strokes and on others, of the same columns.
+    fn and(mut self, other: Self) -> Self {
+        self.samples += other.samples;
+        self.missing += other.missing;
+        self.skipped += other.skipped;
+        for (missing, other) in self.missing_of_column.iter_mut().zip(other.missing_of_column) {
+            *missing += other;
+        }
+        self
+    }
 }
 
 /// Ink lost to rounding where strokes are composited one after another.
@@ -59,19 +74,29 @@ pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLi
     let cells = &grid.levels[level].cells;
     let size = grid.levels[level].size;
     let first = lightest_whole(strokes, level);
-    let mut found = CentreLines { missing_of_column: vec![0; cells.len()], ..CentreLines::default() };
+    let none = CentreLines { missing_of_column: vec![0; cells.len()], ..CentreLines::default() };
+    let mut found = none.clone();
     // From dark to light, so that one image holds the least ink of a column and all darker ones.
     let mut least_ink = vec![u8::MAX; (size * size) as usize];
     for (column, ink) in cells.iter().enumerate().rev() {
         for (least, &ink) in least_ink.iter_mut().zip(ink) {
             *least = ink.min(*least);
         }
-        for (stroke, _) in strokes.strokes.iter().zip(&first).filter(|(_, first)| usize::from(**first) == column) {
+        let own = strokes.strokes.par_iter().zip(&first).filter(|(_, first)| usize::from(**first) == column);
+        let of_stroke = |mut found: CentreLines, (stroke, _): (&Stroke, &u8)| {
             let options = &strokes.families[usize::from(stroke.family)].stroke;
-            found.skipped += usize::from(options.tip.is_some());
+            if options.tip.is_some() {
+                found.skipped += 1;
+                return found;
+            }
+            // Enough at any slope: hardly a sample has less.
+            let enough = (options.opacity * (1.0 - options.grain) * 255.0 - ROUNDING).max(0.0);
             for_each_sample(stroke, size, margin_uv(stroke, options, size), |texel, slope| {
-                let Some(floor) = centre_line_floor(stroke, slope, options) else { return };
                 found.samples += 1;
+                if f64::from(least_ink[texel]) >= enough {
+                    return;
+                }
+                let Some(floor) = centre_line_floor(stroke, slope, options) else { return };
                 if f64::from(least_ink[texel]) < floor {
                     found.missing += 1;
                     for (ink, missing) in cells.iter().zip(&mut found.missing_of_column).skip(column) {
@@ -79,7 +104,9 @@ pub fn centre_lines(grid: &Grid, strokes: &StrokeList, level: usize) -> CentreLi
                     }
                 }
             });
-        }
+            found
+        };
+        found = found.and(own.fold(|| none.clone(), of_stroke).reduce(|| none.clone(), CentreLines::and));
     }
     found
 }
@@ -127,9 +154,11 @@ fn lightest_whole(strokes: &StrokeList, level: usize) -> Vec<u8> {
 
 /// Calls `visit` with the texel of each sample further than `margin_uv` from the ends, and the slope of the stroke there.
 fn for_each_sample(stroke: &Stroke, size: u32, margin_uv: f64, mut visit: impl FnMut(usize, f64)) {
-    let side = size as i64;
+    let side = i64::from(size);
+    // Divisions take longer than all the rest, and hardly a coordinate needs one.
+    let wrapped = |at: i64| if (0..side).contains(&at) { at } else { at.rem_euclid(side) };
     let texel_of = |along: i64, across_uv: f64| {
-        let across = ((across_uv * f64::from(size)).floor() as i64).rem_euclid(side);
+        let (along, across) = (wrapped(along), wrapped(floor(across_uv * f64::from(size))));
         let (x, y) = match stroke.axis {
             Axis::X => (along, across),
             Axis::Y => (across, along),
@@ -138,8 +167,7 @@ fn for_each_sample(stroke: &Stroke, size: u32, margin_uv: f64, mut visit: impl F
     };
     let (start, length) = (f64::from(stroke.start_uv), f64::from(stroke.along_uv));
     if stroke.along_uv == 0.0 {
-        let along = ((start * f64::from(size)).floor() as i64).rem_euclid(side);
-        visit(texel_of(along, f64::from(stroke.across_at(0.0))), 0.0);
+        visit(texel_of(floor(start * f64::from(size)), f64::from(stroke.across_at(0.0))), 0.0);
         return;
     }
     let texel_uv = 1.0 / f64::from(size);
@@ -148,8 +176,14 @@ fn for_each_sample(stroke: &Stroke, size: u32, margin_uv: f64, mut visit: impl F
     for along in (begin - 0.5).ceil() as i64..=(end - 0.5).floor() as i64 {
         let t = ((along as f64 + 0.5) * texel_uv - start) / length;
         let slope = f64::from(stroke.slope_at(t as f32));
-        visit(texel_of(along.rem_euclid(side), across_at(stroke, t)), slope);
+        visit(texel_of(along, across_at(stroke, t)), slope);
     }
+}
+
+/// The largest whole number not above `x`, for `x` well inside the range of `i64`; without a call.
+fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero - i64::from(towards_zero as f64 > x)
 }
 
 /// [`Stroke::across_at`] in double precision, so that a sample near the border of a texel does not change sides.

@@ -86,8 +86,13 @@ fn is_lost(index: usize, coarse_size: u32, fine: &[u8], half_ink: u8, reach: u32
     // From the first child, kept positive by a whole tile.
     let (left, top) =
         (2 * x + 1 + fine_size - reach + roll.0 as usize, 2 * y + 1 + fine_size - reach + roll.1 as usize);
-    (0..2 * reach).all(|dy| {
-        let row = (top + dy) % fine_size * fine_size;
-        (0..2 * reach).all(|dx| fine[row + (left + dx) % fine_size] < enough)
+    let (left, top, across) = (left % fine_size, top % fine_size, 2 * reach);
+    // Most windows lie within a row.
+    let (within, wrapped) = (across.min(fine_size - left), across.saturating_sub(fine_size - left));
+    (0..across).all(|dy| {
+        let y = top + dy;
+        let row = &fine[(if y < fine_size { y } else { y - fine_size }) * fine_size..][..fine_size];
+        let bare = |texels: &[u8]| texels.iter().all(|ink| *ink < enough);
+        bare(&row[left..left + within]) && bare(&row[..wrapped])
     })
 }

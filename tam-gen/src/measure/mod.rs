@@ -4,6 +4,7 @@
 //! measures; limits and verdicts are in [`crate::checks`].
 
 mod centre_lines;
+mod count;
 mod ink;
 mod length;
 mod level_nesting;
@@ -21,7 +22,7 @@ pub use length::{LengthBias, length_bias};
 pub use level_nesting::{LevelNesting, level_nesting, level_nesting_reach, lost_texels};
 pub use raster_once::rasterise_once;
 pub use seam::{Seam, line_differences, seam};
-pub use stroke_map::{PatternMatch, pattern_match, pattern_mismatch, threshold_share};
+pub use stroke_map::{PatternMatch, pattern_match, pattern_matches, pattern_mismatch, threshold_share};
 pub use tone::{ToneErrors, tone_errors, tones};
 pub use tone_nesting::{ToneNesting, lighter_than_before, tone_nesting};
 pub use uniformity::{box_cv, gap_cv, low_frequency_share};

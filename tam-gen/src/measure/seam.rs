@@ -26,17 +26,22 @@ const TAIL: f64 = 0.02;
 /// first. `Axis::Y` the same down the columns.
 pub fn line_differences(ink: &[u8], size: u32, axis: Axis) -> Vec<f64> {
     let size = size as usize;
-    let mut sums = vec![0_u64; size];
-    for y in 0..size {
-        for x in 0..size {
-            let (line, next) = match axis {
-                Axis::X => (x, y * size + (x + 1) % size),
-                Axis::Y => (y, (y + 1) % size * size + x),
-            };
-            sums[line] += u64::from(ink[y * size + x].abs_diff(ink[next]));
+    let mut sums = vec![0_u32; size];
+    for (y, row) in ink.chunks_exact(size.max(1)).enumerate() {
+        match axis {
+            Axis::X => {
+                for ((sum, ink), next) in sums.iter_mut().zip(row).zip(&row[1..]) {
+                    *sum += u32::from(ink.abs_diff(*next));
+                }
+                sums[size - 1] += u32::from(row[size - 1].abs_diff(row[0]));
+            }
+            Axis::Y => {
+                let next = &ink[(y + 1) % size * size..][..size];
+                sums[y] = row.iter().zip(next).map(|(ink, next)| u32::from(ink.abs_diff(*next))).sum();
+            }
         }
     }
-    sums.into_iter().map(|sum| sum as f64 / size as f64).collect()
+    sums.into_iter().map(|sum| f64::from(sum) / size as f64).collect()
 }
 
 /// Compares the wrap edge with the interior lines, pooled over images of one size.

@@ -1,5 +1,7 @@
 //! How far the tone of cells is from what their columns ask for.
 
+use rayon::prelude::*;
+
 use crate::map::Grid;
 use crate::preset::ToneMeasure;
 
@@ -16,7 +18,7 @@ pub struct ToneErrors {
 
 /// The tone of every cell, `[level][column]`, `0.0 ..= 1.0`; all levels, tail included.
 pub fn tones(grid: &Grid, measure: &ToneMeasure) -> Vec<Vec<f64>> {
-    grid.levels.iter().map(|level| level.cells.iter().map(|ink| measure.tone(ink)).collect()).collect()
+    grid.levels.iter().map(|level| level.cells.par_iter().map(|ink| measure.tone(ink)).collect()).collect()
 }
 
 /// Tone errors over the hand-built levels. Exact to a few ulp; an empty grid has none.

@@ -1,5 +1,7 @@
 //! Whether a darker column keeps all the ink of a lighter one.
 
+use super::count::count_pairs;
+
 /// Texels at which a darker column has less ink than the lighter column before it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ToneNesting {
@@ -13,15 +15,16 @@ pub struct ToneNesting {
 
 /// Compares two cells of one level, given as ink of equal size.
 pub fn tone_nesting(lighter: &[u8], darker: &[u8]) -> ToneNesting {
-    let (mut any, mut visible, mut worst) = (0_usize, 0_usize, 0);
-    for (&before, &after) in lighter.iter().zip(darker) {
-        let loss = before.saturating_sub(after);
-        any += usize::from(loss > 0);
-        visible += usize::from(loss > 16);
-        worst = loss.max(worst);
-    }
     let texels = lighter.len().max(1) as f64;
-    ToneNesting { any: any as f64 / texels, visible: visible as f64 / texels, worst }
+    let share = |of: usize| of as f64 / texels;
+    let any = count_pairs(lighter, darker, |before, after| before > after);
+    if any == 0 {
+        return ToneNesting::default();
+    }
+    let loss = |before: u8, after: u8| before.saturating_sub(after);
+    let visible = count_pairs(lighter, darker, |before, after| loss(before, after) > 16);
+    let worst = lighter.iter().zip(darker).map(|(before, after)| loss(*before, *after)).max().unwrap_or(0);
+    ToneNesting { any: share(any), visible: share(visible), worst }
 }
 
 /// The texels that [`tone_nesting`] counts.

@@ -42,16 +42,16 @@ const RISE: f64 = 0.1;
 /// read as up to 0.45 texels too wide, equally at all levels.
 pub fn stroke_width(ink: &[u8], size: u32, full_ink: u8, select: impl Fn(u32, u32) -> bool) -> StrokeWidth {
     let full_ink = f64::from(full_ink.max(1));
-    let texels: Vec<(u32, u32)> = (0..size)
-        .flat_map(|y| (0..size).map(move |x| (x, y)))
-        .filter(|&(x, y)| f64::from(ink[(y * size + x) as usize]) >= 0.5 * full_ink && select(x, y))
-        .collect();
+    // Ink is whole, so that this is half of the full ink and more.
+    let half_ink = (0.5 * full_ink).ceil() as u8;
+    let texels = || {
+        let inked = ink.iter().enumerate().filter(|(_, ink)| **ink >= half_ink);
+        inked.map(|(texel, _)| (texel as u32 % size, texel as u32 / size)).filter(|&(x, y)| select(x, y))
+    };
+    let step = texels().count().div_ceil(SAMPLES).max(1);
     let image = Bilinear { ink, size: size as usize, full_ink };
-    let mut widths: Vec<f64> = texels
-        .iter()
-        .step_by(texels.len().div_ceil(SAMPLES).max(1))
-        .map(|&(x, y)| least_chord(&image, (f64::from(x), f64::from(y)), &*DIRECTIONS))
-        .collect();
+    let mut widths: Vec<f64> =
+        texels().step_by(step).map(|(x, y)| least_chord(&image, (f64::from(x), f64::from(y)), &*DIRECTIONS)).collect();
     widths.sort_by(f64::total_cmp);
     let quantile = |i: usize| widths.get(i).copied().unwrap_or(0.0);
     StrokeWidth { median_px: quantile(widths.len() / 2), lower_px: quantile(widths.len() / 4), samples: widths.len() }

@@ -16,14 +16,11 @@ use crate::error::GenerateError;
 use crate::map::{DeficitCause, Family, Level, StrokeList};
 use crate::preset::Preset;
 use crate::raster::{Footprint, Grain};
-use crate::realise::{LevelScratch, Plan, Window, fill_thresholds};
+use crate::realise::{Canvas, LevelScratch, Plan, Reached, Window, fill_thresholds};
 use crate::sequence::{Draw, Sequence};
 use crate::stroke::Stroke;
 
-/// For each level and column, why the cell misses its tone, if it does.
-pub(crate) type Causes = Vec<Vec<Option<DeficitCause>>>;
-
-/// Draws all levels, and returns the strokes and why cells miss their tones.
+/// Draws all levels, and returns the strokes and, for each level and column, what the cell came to.
 pub(crate) fn draw_levels(
     plan: &Plan<'_>,
     preset: &Preset,
@@ -31,7 +28,7 @@ pub(crate) fn draw_levels(
     sequences: &mut [Sequence],
     scratch: &mut [LevelScratch],
     levels: &mut [Level],
-) -> Result<(StrokeList, Causes), GenerateError> {
+) -> Result<(StrokeList, Vec<Vec<Reached>>), GenerateError> {
     let (level_count, columns) = (levels.len(), plan.tones.len());
     let mut pyramids: Vec<Pyramid> =
         levels.iter().enumerate().map(|(l, level)| Pyramid::new(level.size, level_count - 1 - l)).collect();
@@ -45,7 +42,7 @@ pub(crate) fn draw_levels(
     let mut draw = Draw::new(preset.seed, "praun");
     let mut strokes: Vec<Stroke> = Vec::new();
     let mut first_column = vec![Vec::new(); level_count];
-    let mut causes = vec![vec![None; columns]; level_count];
+    let mut reached = vec![vec![Reached { sum: 0, cause: Some(DeficitCause::WholeStrokes) }; columns]; level_count];
     let mut candidates: Vec<Stroke> = Vec::new();
 
     for column in 0..columns {
@@ -69,10 +66,11 @@ pub(crate) fn draw_levels(
                 let before = scratch[l].canvas.sum();
                 for finer in 0..=l {
                     let LevelScratch { canvas, thresholds, footprint, .. } = &mut scratch[finer];
-                    plan.nibs[family].footprint(&best, levels[finer].size, &grains[finer][family], footprint);
-                    canvas.draw(footprint, plan.measure);
-                    thresholds.add(footprint, plan.nibs[family].opacity);
-                    pyramids[finer].update(footprint, canvas.under(), canvas.ink());
+                    let nib = &plan.nibs[family];
+                    nib.footprint(&best, levels[finer].size, &grains[finer][family], footprint);
+                    canvas.draw(footprint, nib.opacity, plan.measure);
+                    thresholds.add(canvas.fresh());
+                    pyramids[finer].update(footprint, canvas);
                 }
                 strokes.push(best);
                 for (level, first) in first_column.iter_mut().enumerate() {
@@ -80,14 +78,12 @@ pub(crate) fn draw_levels(
                 }
                 window.note(&scratch[l].footprint, scratch[l].canvas.sum() - before);
                 if window.saturated() {
-                    causes[l][column] = Some(DeficitCause::Saturated);
+                    reached[l][column].cause = Some(DeficitCause::Saturated);
                     break;
                 }
             }
-            causes[l][column].get_or_insert(DeficitCause::WholeStrokes);
-            let cell = &mut levels[l].cells[column];
-            cell.clear();
-            cell.extend_from_slice(scratch[l].canvas.ink());
+            reached[l][column].sum = scratch[l].canvas.sum();
+            scratch[l].canvas.copy_ink_to(&mut levels[l].cells[column]);
             plan.job.report((column as f32 + 1.0 - l as f32 / level_count as f32) / columns as f32);
         }
     }
@@ -99,7 +95,7 @@ pub(crate) fn draw_levels(
         })?;
     }
     let closing = vec![vec![Vec::new(); columns]; level_count];
-    Ok((StrokeList { families: families.to_vec(), strokes, first_column, closing }, causes))
+    Ok((StrokeList { families: families.to_vec(), strokes, first_column, closing }, reached))
 }
 
 /// The candidate with the highest score; of equals the first, so that threads do not matter.
@@ -156,14 +152,14 @@ impl Pyramid {
         sum / (255.0 * self.size as f32 * self.size as f32)
     }
 
-    /// Takes in a stroke that has been drawn: `under` is what was below it, `ink` the image now.
-    fn update(&mut self, footprint: &Footprint, under: &[u8], ink: &[u8]) {
+    /// Takes in the stroke that the canvas has drawn last.
+    fn update(&mut self, footprint: &Footprint, canvas: &Canvas) {
         let (shift, mask) = (self.size.ilog2(), self.size - 1);
         let depth = self.darkness.len() as u32;
         let mut blocks: Vec<u32> = Vec::with_capacity(footprint.len());
-        for (&texel, &under) in footprint.texel.iter().zip(under) {
+        for (&texel, under) in footprint.texel.iter().zip(canvas.under()) {
             let (x, y) = (texel & mask, texel >> shift);
-            let more = f32::from(ink[texel as usize].saturating_sub(under)) / 255.0;
+            let more = f32::from(canvas.ink_at(texel).saturating_sub(under.ink())) / 255.0;
             for (p, darkness) in (1..).zip(&mut self.darkness) {
                 darkness[(((y >> p) << (shift - p)) | (x >> p)) as usize] += more / (1_u32 << (2 * p)) as f32;
             }
@@ -175,12 +171,12 @@ impl Pyramid {
             let (left, top) = ((block & (mask >> depth)) << depth, (block >> (shift - depth)) << depth);
             for y in top..top + (1 << depth) {
                 for x in left..left + (1 << depth) {
-                    let texel = (y << shift | x) as usize;
-                    let mut paper = 1.0 - f32::from(ink[texel]) / 255.0;
+                    let texel = y << shift | x;
+                    let mut paper = 1.0 - f32::from(canvas.ink_at(texel)) / 255.0;
                     for (p, darkness) in (1..).zip(&self.darkness) {
                         paper += 1.0 - darkness[(((y >> p) << (shift - p)) | (x >> p)) as usize];
                     }
-                    self.paper[texel] = paper;
+                    self.paper[texel as usize] = paper;
                 }
             }
         }

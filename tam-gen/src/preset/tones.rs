@@ -55,6 +55,8 @@ pub enum MeasureName {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ToneMeasure {
     weight_of_ink: [u32; 256],
+    /// The weight of every step of ink, if all weigh the same.
+    per_ink: Option<u32>,
 }
 
 impl ToneMeasure {
@@ -72,7 +74,9 @@ impl ToneMeasure {
             weight_of_ink[ink] = weight.max(weight_of_ink[ink - 1]);
         }
         weight_of_ink[255] = Self::SOLID;
-        Self { weight_of_ink }
+        let per_ink = weight_of_ink[1];
+        let even = (0..).zip(&weight_of_ink).all(|(ink, weight)| *weight == per_ink * ink);
+        Self { weight_of_ink, per_ink: even.then_some(per_ink) }
     }
 
     /// One of the measures that a preset can name.
@@ -89,9 +93,27 @@ impl ToneMeasure {
         self.weight_of_ink[usize::from(ink)]
     }
 
+    /// What texels weigh more when each has gone from one ink to another that is no less.
+    #[inline]
+    pub(crate) fn gain(&self, inks: impl Iterator<Item = (u8, u8)>) -> u64 {
+        match self.per_ink {
+            Some(per_ink) => {
+                u64::from(per_ink) * u64::from(inks.map(|(before, after)| u32::from(after - before)).sum::<u32>())
+            }
+            None => inks.map(|(before, after)| u64::from(self.weight(after) - self.weight(before))).sum(),
+        }
+    }
+
     /// The tone of an image of ink, `0.0 ..= 1.0`.
     pub fn tone(&self, ink: &[u8]) -> f64 {
-        let sum: u64 = ink.iter().map(|&ink| u64::from(self.weight(ink))).sum();
+        let sum: u64 = match self.per_ink {
+            // A thousand texels at a time, in 32 bits, which is several times as fast.
+            Some(per_ink) => ink
+                .chunks(1024)
+                .map(|some| u64::from(per_ink) * u64::from(some.iter().map(|&ink| u32::from(ink)).sum::<u32>()))
+                .sum(),
+            None => ink.iter().map(|&ink| u64::from(self.weight(ink))).sum(),
+        };
         sum as f64 / (f64::from(Self::SOLID) * ink.len().max(1) as f64)
     }
 }

@@ -25,22 +25,24 @@ impl Grain {
         let heights = heights(seed, tile);
         let side = tile as usize;
         let row = |y: usize| &heights[(y & (side - 1)) * side..][..side];
-        let stays_of = |tooth: i32| {
-            // Contrast lost to the blur is put back; then heights of 0 ..= 1 become parts of the ink.
+        // A small tent blur gives the tooth a size of about two texels. Contrast lost to it is put back; then heights of
+        // 0 ..= 1 become parts of the ink.
+        let stays_of = |[left, here, right]: [u16; 3], above: u16, below: u16| {
+            let [left, here, right, above, below] = [left, here, right, above, below].map(i32::from);
+            let tooth = 4 * here + (3 * (left + right + above + below)) / 2;
             let tooth = ((tooth as f32 / (10.0 * 65535.0) - 0.5) * 2.2 + 0.5).clamp(0.0, 1.0);
-            (255.0 * (1.0 - amount * tooth) + 0.5) as u8
+            (255.0 * (1.0 - amount * tooth) + 0.5) as i32 as u8
         };
-        let mut stays = Vec::with_capacity(side * side);
-        for y in 0..side {
+        let mut stays = vec![0; side * side];
+        for (y, stays) in stays.chunks_exact_mut(side).enumerate() {
             let (above, here, below) = (row(y + side - 1), row(y), row(y + 1));
-            // A small tent blur gives the tooth a size of about two texels.
-            let blurred = |left: usize, x: usize, right: usize| {
-                let at = |row: &[u16], x: usize| i32::from(row[x]);
-                4 * at(here, x) + (3 * (at(here, left) + at(here, right) + at(above, x) + at(below, x))) / 2
-            };
-            stays.push(stays_of(blurred(side - 1, 0, 1)));
-            stays.extend((1..side - 1).map(|x| stays_of(blurred(x - 1, x, x + 1))));
-            stays.push(stays_of(blurred(side - 2, side - 1, 0)));
+            let inner = here.windows(3).zip(&above[1..]).zip(&below[1..]);
+            for (stays, ((here, above), below)) in stays[1..].iter_mut().zip(inner) {
+                *stays = stays_of([here[0], here[1], here[2]], *above, *below);
+            }
+            let last = side - 1;
+            stays[0] = stays_of([here[last], here[0], here[1]], above[0], below[0]);
+            stays[last] = stays_of([here[last - 1], here[last], here[0]], above[last], below[last]);
         }
         Self { stays, tile_mask: tile - 1, size_shift: size.ilog2() }
     }

@@ -19,7 +19,8 @@ pub(super) fn scan(nib: &Nib, stroke: &Stroke, part: Part, size: u32, out: &mut 
         Axis::Y => (size.ilog2(), 0),
     };
     let (begin, end) = (stroke.start_uv * side, (stroke.start_uv + stroke.along_uv) * side);
-    let last_column = ceil(end);
+    // Beyond the end of a part there is no ink; a column more, lest rounding matters.
+    let last_column = ceil(end).min(ceil(begin + part.end * (end - begin)) + 1);
 
     let mut first_column = floor(begin);
     while first_column < last_column {

@@ -28,37 +28,46 @@ impl Closing<'_> {
     /// Draws the part of the stroke that gains at most `limit`, and as nearly as its texels allow. Returns the ink of the
     /// whole footprint's texels afterwards.
     ///
-    /// `whole` is the footprint of the whole stroke; `shown` is what a lighter column showed of it; `piece` is scratch.
+    /// `whole` is the footprint of the whole stroke, which would gain `gain` and leave the ink `most` at its texels; `shown`
+    /// is what a lighter column showed of it; `piece` is scratch.
     pub(super) fn draw(
         &self,
         canvas: &mut Canvas,
         whole: &Footprint,
+        most: &[u8],
         piece: &mut Footprint,
-        limit: u64,
+        (limit, gain): (u64, u64),
         shown: Option<&[u8]>,
     ) -> Vec<u8> {
         let before = canvas.sum();
-        let most = self.ink_of(canvas, whole, whole);
-
-        let mut fits = |part: Part| {
+        let opacity = self.nib.opacity;
+        let mut gain_of = |part: Part| {
             self.nib.footprint_of_part(self.stroke, part, self.size, self.grain, piece);
-            canvas.draw(piece, self.measure);
+            canvas.draw(piece, opacity, self.measure);
             let gain = canvas.sum() - before;
             canvas.undo(piece, before);
-            gain <= limit
+            gain
         };
         let in_steps = |step: usize| step as f32 / STEPS as f32;
-        let end = in_steps(largest(STEPS - 1, |step| fits(Part { end: in_steps(step), strength: 1.0 })));
+        let end =
+            in_steps(largest_within(limit, (STEPS, gain), |step| gain_of(Part { end: in_steps(step), strength: 1.0 })));
         let length_px = self.stroke.length_uv() * self.size as f32;
         let stub = if length_px > 0.0 { (STUB_WIDTHS * self.stroke.width_px / length_px).min(1.0) } else { 1.0 };
         let part = if end >= stub {
             Part { end, strength: 1.0 }
         } else {
-            let strength = largest(STEPS, |step| fits(Part { end: stub, strength: in_steps(step) }));
+            let stub_gain = gain_of(Part { end: stub, strength: 1.0 });
+            let strength = if stub_gain <= limit {
+                STEPS
+            } else {
+                largest_within(limit, (STEPS, stub_gain), |step| gain_of(Part { end: stub, strength: in_steps(step) }))
+            };
             Part { end: stub, strength: in_steps(strength) }
         };
         self.nib.footprint_of_part(self.stroke, part, self.size, self.grain, piece);
-        let wanted = self.ink_of(canvas, piece, whole);
+        canvas.draw(piece, opacity, self.measure);
+        let wanted = canvas.ink_under(whole);
+        canvas.undo(piece, before);
 
         // What lighter columns showed comes first; then the piece, as far as the limit goes; then the rest texel by texel.
         if let Some(shown) = shown {
@@ -66,39 +75,39 @@ impl Closing<'_> {
                 canvas.raise(*texel, *ink, self.measure);
             }
         }
-        for aim in [&wanted, &most] {
-            for ((texel, aim), most) in whole.texel.iter().zip(aim).zip(&most) {
+        for aim in [&wanted[..], most] {
+            for ((texel, aim), most) in whole.texel.iter().zip(aim).zip(most) {
                 let room = (before + limit).saturating_sub(canvas.sum());
                 if room == 0 {
                     break;
                 }
-                let ink = canvas.at(*texel);
+                let ink = canvas.ink_at(*texel);
+                let aim = (*aim).min(*most).max(ink);
                 let weight = self.measure.weight(ink);
-                let more = largest(usize::from((*aim).min(*most).saturating_sub(ink)), |more| {
-                    u64::from(self.measure.weight(ink + more as u8) - weight) <= room
-                });
-                canvas.raise(*texel, ink + more as u8, self.measure);
+                let highest = (ink..=aim).rev().find(|ink| u64::from(self.measure.weight(*ink) - weight) <= room);
+                canvas.raise(*texel, highest.unwrap_or(ink), self.measure);
             }
         }
-        whole.texel.iter().map(|texel| canvas.at(*texel)).collect()
-    }
-
-    /// Ink of the texels of a footprint once another is drawn. Leaves the canvas as it was.
-    fn ink_of(&self, canvas: &mut Canvas, drawn: &Footprint, of: &Footprint) -> Vec<u8> {
-        let before = canvas.sum();
-        canvas.draw(drawn, self.measure);
-        let ink = of.texel.iter().map(|texel| canvas.at(*texel)).collect();
-        canvas.undo(drawn, before);
-        ink
+        canvas.ink_under(whole)
     }
 }
 
-/// The largest number in `0 ..= most` that fits, given that smaller ones fit if a larger one does; 0 is taken to fit.
-fn largest(most: usize, mut fits: impl FnMut(usize) -> bool) -> usize {
-    let (mut low, mut high) = (0, most);
-    while low < high {
-        let middle = low + (high - low).div_ceil(2);
-        if fits(middle) { low = middle } else { high = middle - 1 }
+/// The largest step below `beyond` whose gain is within the limit, given that gains never fall; step 0 gains nothing.
+///
+/// `beyond` is a step and its gain, which is over the limit or the last. Gains rise almost evenly, so the next step to be
+/// tried is where a straight line between those known meets the limit: three tries instead of the eight of halving.
+fn largest_within(limit: u64, beyond: (usize, u64), mut gain_of: impl FnMut(usize) -> u64) -> usize {
+    let (mut low, mut high) = ((0, 0), beyond);
+    let mut turn = 0;
+    while low.0 + 1 < high.0 {
+        let between = high.0 - low.0;
+        let rise = high.1.saturating_sub(low.1).max(1) as f64;
+        // Where the line errs to one side again and again, halving ends it.
+        let ahead = if turn % 3 == 2 { between / 2 } else { ((limit - low.1) as f64 / rise * between as f64) as usize };
+        turn += 1;
+        let step = low.0 + ahead.clamp(1, between - 1);
+        let gain = gain_of(step);
+        if gain <= limit { low = (step, gain) } else { high = (step, gain) }
     }
-    low
+    low.0
 }

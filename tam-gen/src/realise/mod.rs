@@ -70,8 +70,19 @@ pub(crate) struct ColumnCounts {
     pub(crate) whole: Vec<u32>,
     /// The family whose next stroke is drawn in part, and the part.
     pub(crate) closing: Option<(u16, f32)>,
+    /// What the cell's texels weigh.
+    pub(crate) sum: u64,
     /// Why the cell misses its tone, if it does.
     pub(crate) deficit: Option<DeficitCause>,
+}
+
+/// What a cell came to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reached {
+    /// What its texels weigh.
+    pub(crate) sum: u64,
+    /// Why it misses its tone, if it does.
+    pub(crate) cause: Option<DeficitCause>,
 }
 
 /// How much of a stroke a level may draw so that it stays nested in the finer one.
@@ -169,13 +180,14 @@ pub(crate) fn realise_level(
                 continue;
             };
 
-            plan.nibs[usize::from(family)].footprint(&stroke, size, &grains[usize::from(family)], footprint);
+            let nib = &plan.nibs[usize::from(family)];
+            nib.footprint(&stroke, size, &grains[usize::from(family)], footprint);
             let before = canvas.sum();
-            canvas.draw(footprint, plan.measure);
+            canvas.draw(footprint, nib.opacity, plan.measure);
             if allowance == Allowance::Whole && canvas.sum() <= target {
                 whole[usize::from(family)] += 1;
                 exhausted = 0;
-                thresholds.add(footprint, plan.nibs[usize::from(family)].opacity);
+                thresholds.add(canvas.fresh());
                 window.note(footprint, canvas.sum() - before);
                 drawn += 1;
                 if drawn.is_multiple_of(WINDOW) && plan.job.cancelled() {
@@ -188,7 +200,7 @@ pub(crate) fn realise_level(
                 continue;
             }
 
-            let gain = canvas.sum() - before;
+            let (gain, most) = (canvas.sum() - before, canvas.ink_under(footprint));
             canvas.undo(footprint, before);
             let mut limit = target - before;
             if let Allowance::Part(part) = allowance {
@@ -199,20 +211,21 @@ pub(crate) fn realise_level(
                 }
             }
             let under = canvas.under().to_vec();
-            let nib = &plan.nibs[usize::from(family)];
             let partial =
                 Closing { stroke: &stroke, nib, grain: &grains[usize::from(family)], size, measure: plan.measure };
-            let shown = partial.draw(canvas, footprint, piece, limit, shown.as_deref());
+            let shown = partial.draw(canvas, footprint, &most, piece, (limit, gain), shown.as_deref());
             let part = ((canvas.sum() - before) as f64 / gain.max(1) as f64) as f32;
             cell.closing = Some((family, part));
             closing = Some((family, shown));
-            snapshot(canvas, &mut cells[column]);
+            canvas.copy_ink_to(&mut cells[column]);
+            cell.sum = canvas.sum();
             canvas.restore(footprint, &under, before);
             break;
         }
 
         if cell.closing.is_none() {
-            snapshot(canvas, &mut cells[column]);
+            canvas.copy_ink_to(&mut cells[column]);
+            cell.sum = canvas.sum();
         }
         cell.whole.clone_from(&whole);
         pending = closing;
@@ -236,7 +249,7 @@ pub(crate) fn fill_thresholds(
     scratch: &mut LevelScratch,
     stroke_of: &mut dyn FnMut(u16, u32) -> Option<Stroke>,
 ) -> Result<(), GenerateError> {
-    let LevelScratch { thresholds, footprint, .. } = scratch;
+    let LevelScratch { canvas, thresholds, footprint, .. } = scratch;
     let families = plan.schedule.last().map_or(&[][..], Vec::as_slice);
     for family in families.iter().cycle() {
         let family_index = usize::from(*family);
@@ -250,17 +263,14 @@ pub(crate) fn fill_thresholds(
         next[family_index] += 1;
         let nib = &plan.nibs[family_index];
         nib.footprint(&stroke, size, &grains[family_index], footprint);
-        if !thresholds.add(footprint, nib.opacity) {
+        // The cells are done, so that their ink may grow along.
+        canvas.draw(footprint, nib.opacity, plan.measure);
+        if !thresholds.add(canvas.fresh()) {
             break;
         }
     }
-    thresholds.close_gaps();
+    thresholds.close_gaps(canvas);
     Ok(())
-}
-
-fn snapshot(canvas: &Canvas, cell: &mut Vec<u8>) {
-    cell.clear();
-    cell.extend_from_slice(canvas.ink());
 }
 
 /// Ink laid down and ink gained over the latest strokes of a column.

@@ -10,6 +10,8 @@ const COLUMNS: usize = 16;
 const ROWS: std::ops::RangeInclusive<usize> = 64..=2048;
 /// Texels of the finest level in a row; the place within a row comes from its neighbours.
 const TEXELS_PER_ROW: usize = 2;
+/// Rows summed at once, over all columns, so that their sums never leave the registers. Divides the number of rows.
+const BLOCK: usize = 32;
 /// Core of the kernel in stroke widths.
 const CORE_WIDTHS: f32 = 2.0;
 /// Height of the noise an empty field starts with, in kernels: enough to break ties, too little to steer.
@@ -24,7 +26,7 @@ const NOISE: f32 = 1e-3;
 #[derive(Debug, Clone)]
 pub(super) struct DensityField {
     rows: usize,
-    /// `COLUMNS` runs of `rows` numbers.
+    /// `COLUMNS` runs of `rows` numbers, each with its first `BLOCK` once more at its end: blocks that wrap are read straight.
     density: Vec<f32>,
     /// The kernel around row 0, on the circle of rows.
     kernel: Vec<f32>,
@@ -42,7 +44,9 @@ impl DensityField {
         draw.seek(u32::MAX - 1);
         // One number per row and column would cost more than a map's search; a few hundred, laid out twice, tell rows apart.
         let noise: Vec<f32> = (0..rows).map(|_| draw.unit() as f32 * NOISE * kernel[0]).collect();
-        let density = (0..COLUMNS * rows).map(|i| noise[(i * 7 + i / rows) % rows]).collect();
+        let noise_at = |column: usize, row: usize| noise[((column * rows + row) * 7 + column) % rows];
+        let density = (0..COLUMNS).flat_map(|column| (0..rows + BLOCK).map(move |row| (column, row % rows)));
+        let density = density.map(|(column, row)| noise_at(column, row)).collect();
         Self { rows, density, kernel, under: vec![0.0; rows] }
     }
 
@@ -50,23 +54,48 @@ impl DensityField {
     ///
     /// `pressure` tells how much each part of the stroke counts: a pointed end neither needs nor takes as much room.
     pub(super) fn emptiest_row(&mut self, shape: &Stroke, pressure: impl Fn(f32) -> f32) -> (f32, f32) {
-        self.under.fill(0.0);
-        let mut counted = 0.0;
-        for (column, offset, t) in columns_under(shape, self.rows) {
-            let weight = pressure(t);
-            let density = &self.density[column * self.rows..][..self.rows];
-            let (wrapped, straight) = density.split_at(offset);
-            let (head, tail) = self.under.split_at_mut(straight.len());
-            add_scaled(head, straight, weight);
-            add_scaled(tail, wrapped, weight);
-            counted += weight;
+        let rows = self.rows;
+        let mut columns = [(0, 0, 0.0); COLUMNS];
+        let (mut count, mut counted) = (0, 0.0);
+        for (column, row, t) in columns_under(shape, rows) {
+            columns[count] = (column * (rows + BLOCK), row, pressure(t));
+            counted += columns[count].2;
+            count += 1;
         }
-        let (row, lowest) = lowest(&self.under);
+        // The minimum in lanes that the compiler can keep apart; then where it is.
+        let mut lanes = [f32::INFINITY; 4];
+        for under in self.under.as_chunks_mut::<BLOCK>().0 {
+            let mut sums = [0.0; BLOCK];
+            for (begin, row, weight) in &mut columns[..count] {
+                for (sum, density) in sums.iter_mut().zip(&self.density[*begin + *row..][..BLOCK]) {
+                    *sum += *weight * density;
+                }
+                *row += BLOCK;
+                *row -= if *row >= rows { rows } else { 0 };
+            }
+            for four in sums.as_chunks::<4>().0 {
+                for (lane, sum) in lanes.iter_mut().zip(four) {
+                    *lane = if *sum < *lane { *sum } else { *lane };
+                }
+            }
+            *under = sums;
+        }
+        let lowest = lanes.into_iter().fold(f32::INFINITY, f32::min);
+        let row = self.first_row_of(lowest);
         // The lowest point of the parabola through the row and its neighbours.
         let (before, after) = (self.under[(row + self.rows - 1) % self.rows], self.under[(row + 1) % self.rows]);
         let bend = before - 2.0 * lowest + after;
         let within = if bend > 0.0 { 0.5 * (before - after) / bend } else { 0.0 };
         (lowest / counted, row as f32 + within)
+    }
+
+    /// The first row under which there is just so much density.
+    fn first_row_of(&self, density: f32) -> usize {
+        let (blocks, _) = self.under.as_chunks::<BLOCK>();
+        // Without branches within a block.
+        let holds = |block: &[f32; BLOCK]| block.iter().fold(false, |holds, under| holds | (*under == density));
+        let first = blocks.iter().position(holds).unwrap_or(0) * BLOCK;
+        first + self.under[first..].iter().position(|under| *under == density).unwrap_or(0)
     }
 
     /// The offset across, in uv, of a row.
@@ -78,10 +107,11 @@ impl DensityField {
     pub(super) fn add(&mut self, stroke: &Stroke, weight: f32, pressure: impl Fn(f32) -> f32) {
         for (column, row, t) in columns_under(stroke, self.rows) {
             let weight = weight * pressure(t);
-            let density = &mut self.density[column * self.rows..][..self.rows];
-            let (before, after) = density.split_at_mut(row);
+            let density = &mut self.density[column * (self.rows + BLOCK)..][..self.rows + BLOCK];
+            let (before, after) = density[..self.rows].split_at_mut(row);
             add_scaled(after, &self.kernel[..self.rows - row], weight);
             add_scaled(before, &self.kernel[self.rows - row..], weight);
+            density.copy_within(..BLOCK, self.rows);
         }
     }
 }
@@ -109,21 +139,6 @@ fn add_scaled(sum: &mut [f32], more: &[f32], weight: f32) {
     for (sum, more) in sum.iter_mut().zip(more) {
         *sum += weight * more;
     }
-}
-
-/// The lowest number and its first index.
-fn lowest(numbers: &[f32]) -> (usize, f32) {
-    // Minimum first, in lanes the compiler can keep apart; then where it is.
-    let mut lanes = [f32::INFINITY; 8];
-    let (chunks, rest) = numbers.as_chunks::<8>();
-    for chunk in chunks {
-        for (lane, number) in lanes.iter_mut().zip(chunk) {
-            *lane = if *number < *lane { *number } else { *lane };
-        }
-    }
-    let minimum = lanes.iter().chain(rest).copied().fold(f32::INFINITY, f32::min);
-    let index = numbers.iter().position(|number| *number == minimum).unwrap_or(0);
-    (index, minimum)
 }
 
 #[cfg(test)]
