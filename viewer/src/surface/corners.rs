@@ -202,7 +202,8 @@ impl Corners {
             (corners, numbers)
         };
         type Block = (Vec<(Stand, Carried)>, Vec<(u32, u32)>);
-        let mut this = Self { indices: vec![0; 3 * triangles.len() + 6 * parted.len()], parted, ..Self::default() };
+        let indices = vec![0; 3 * triangles.len() + 6 * parted.len()];
+        let mut this = Self { indices, parted: parted.clone(), ..Self::default() };
         this.reserve(vertices + vertices / 4, &from);
         let blocks: Vec<usize> = (0..vertices.div_ceil(BLOCK)).collect();
         for blocks in blocks.chunks(BLOCKS_AT_ONCE) {
