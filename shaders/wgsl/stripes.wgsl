@@ -33,14 +33,20 @@ fn varied_ink(
     // Half a pixel, in units of x. Most of a light tone is paper that no stroke reaches, and knowing so is cheap.
     let reach = 0.5 / k;
     let rows = u32(octave) + 1u;
+    // The old line and the new one: mostly one of them is near, or none.
+    let is_old = abs(x) - reach < stroke_reach(2.0 - f, d, variety);
+    let is_new = 1.0 - abs(x) - reach < stroke_reach(f, d, variety);
+    var now_new = !is_old;
     var ink = 0.0;
-    if abs(x) - reach < stroke_reach(2.0 - f, d, variety) {
-        let stroke = patched_stroke(overlap, patch_rows, field, 2 * i32(row), rows, variety);
-        ink = stroke_ink(stroke, x, 2.0 - f, k, d, variety);
-    }
-    if 1.0 - abs(x) - reach < stroke_reach(f, d, variety) {
-        let stroke = patched_stroke(overlap, patch_rows, field, 2 * i32(row) + i32(side), rows, variety);
-        ink += stroke_ink(stroke, x - side, f, k, d, variety);
+    loop {
+        if is_old || is_new {
+            let stroke = patched_stroke(overlap, patch_rows, field, 2 * i32(row) + select(0, i32(side), now_new), rows, variety);
+            ink += stroke_ink(stroke, select(x, x - side, now_new), select(2.0 - f, f, now_new), k, d, variety);
+        }
+        if now_new || !is_new {
+            break;
+        }
+        now_new = true;
     }
     return mix(min(ink, 1.0), d, smoothstep(FADE_FROM, FADE_TO, per_px));
 }

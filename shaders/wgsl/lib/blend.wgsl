@@ -61,16 +61,23 @@ fn patch_ink(place: vec2f, seed: u32, share: f32, scale: Scale, d: f32, light: f
     return ink;
 }
 
-// Patches are independent of each other: each lies on the tile by chance.
+// Patches are independent of each other: each lies on the tile by chance. The heaviest comes first, until none is left that
+// has a weight: mostly two or three do. The loop is tested at its end, as that of the lights.
 fn patches_ink(overlap: Overlap, scale: Scale, d: f32) -> f32 {
-    let shares = overlap_weights(overlap.behind);
-    let seeds = overlap.seeds;
+    let linear = BLEND == BLEND_LINEAR;
     let light = log2_light(d);
-    let a = patch_ink(overlap.places_ab.xy, seeds.x, shares.x, scale, d, light);
-    let b = patch_ink(overlap.places_ab.zw, seeds.y, shares.y, scale, d, light);
-    let c = patch_ink(overlap.places_cd.xy, seeds.z, shares.z, scale, d, light);
-    let e = patch_ink(overlap.places_cd.zw, seeds.w, shares.w, scale, d, light);
-    return select(1.0 - a * b * c * e, a + b + c + e, BLEND == BLEND_LINEAR);
+    var left = overlap_weights(overlap.behind);
+    var ink = select(1.0, 0.0, linear);
+    loop {
+        let i = heaviest(left);
+        let own = patch_ink(place_of(overlap, i), overlap.seeds[i], left[i], scale, d, light);
+        ink = select(ink * own, ink + own, linear);
+        left = without(left, i);
+        if all(left <= vec4f(0.0)) {
+            break;
+        }
+    }
+    return select(1.0 - ink, ink, linear);
 }
 
 // One lapped texture painted over what lies under it.
@@ -81,21 +88,19 @@ fn painted_ink(under: f32, place: vec2f, alpha: f32, scale: Scale, d: f32) -> f3
     return mix(under, pattern_ink(tile_uv(place), scale, d), min(alpha, 1.0));
 }
 
-// Four lapped textures, painted one over the other and over what lies under them.
-fn overlapped_ink(under: f32, overlap: Overlap, scale: Scale, d: f32) -> f32 {
-    var ink = painted_ink(under, overlap.places_ab.xy, overlap.behind.x, scale, d);
-    ink = painted_ink(ink, overlap.places_ab.zw, overlap.behind.y, scale, d);
-    ink = painted_ink(ink, overlap.places_cd.xy, overlap.behind.z, scale, d);
-    return painted_ink(ink, overlap.places_cd.zw, overlap.behind.w, scale, d);
-}
-
-// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha.
+// Painted one over the other, as Praun and others do: later ones hide earlier ones by their alpha. What is painted steps
+// forward in a row of eight, until none is left.
 fn lapped_ink(lapped: Lapped, scale: Scale, d: f32) -> f32 {
-    let ink = overlapped_ink(0.0, lapped.first, scale, d);
-    if all(lapped.then.behind <= vec4f(0.0)) {
-        return ink;
+    var row = lapped;
+    var ink = 0.0;
+    loop {
+        ink = painted_ink(ink, row.first.places_ab.xy, row.first.behind.x, scale, d);
+        row = stepped(row);
+        if all(max(row.first.behind, row.then.behind) <= vec4f(0.0)) {
+            break;
+        }
     }
-    return overlapped_ink(ink, lapped.then, scale, d);
+    return ink;
 }
 
 fn surface_ink(point: Point, overlap: Overlap, d: f32) -> f32 {

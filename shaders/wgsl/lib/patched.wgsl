@@ -171,6 +171,26 @@ fn lapped_of(in: LappedFragment) -> Lapped {
     );
 }
 
+// The same without the one that is painted first.
+fn stepped(lapped: Lapped) -> Lapped {
+    let a = lapped.first;
+    let b = lapped.then;
+    return Lapped(
+        Overlap(
+            vec4f(a.places_ab.zw, a.places_cd.xy),
+            vec4f(a.places_cd.zw, b.places_ab.xy),
+            vec4f(a.behind.yzw, b.behind.x),
+            a.seeds,
+        ),
+        Overlap(
+            vec4f(b.places_ab.zw, b.places_cd.xy),
+            vec4f(b.places_cd.zw, 0.0, 0.0),
+            vec4f(b.behind.yzw, 0.0),
+            b.seeds,
+        ),
+    );
+}
+
 fn overlap_of(in: PatchedIn) -> Overlap {
     return Overlap(in.places_ab, in.places_cd, in.behind, in.seeds);
 }

@@ -61,3 +61,23 @@ fn overlap_weights(behind: vec4f) -> vec4f {
     let weights = max(vec4f(0.0), vec4f(1.0) - (behind - least));
     return weights / dot(weights, vec4f(1.0));
 }
+
+// Which of four weights is the greatest, the first of equals.
+fn heaviest(weights: vec4f) -> u32 {
+    var i = select(0u, 1u, weights.y > weights.x);
+    var most = max(weights.x, weights.y);
+    i = select(i, 2u, weights.z > most);
+    most = max(most, weights.z);
+    return select(i, 3u, weights.w > most);
+}
+
+// Four weights but for one, which becomes 0.
+fn without(weights: vec4f, i: u32) -> vec4f {
+    return select(weights, vec4f(0.0), vec4u(0u, 1u, 2u, 3u) == vec4u(i));
+}
+
+// The place of one of the patches.
+fn place_of(overlap: Overlap, i: u32) -> vec2f {
+    let pair = select(overlap.places_cd, overlap.places_ab, i < 2u);
+    return select(pair.zw, pair.xy, (i & 1u) == 0u);
+}

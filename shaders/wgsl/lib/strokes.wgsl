@@ -142,19 +142,20 @@ fn patch_stroke(
     return vec3f(share * stroke.swell, weight * f32(own.x) * stroke.waver, share);
 }
 
-// The stroke of a line at a fragment.
+// The stroke of a line at a fragment, patch by patch as in patches_ink.
 fn patched_stroke(overlap: Overlap, rows: vec4u, field: u32, row: i32, octave: u32, variety: f32) -> Stroke {
     let tiles = length(material.tile_from_surface.xy);
-    let weights = overlap_weights(overlap.behind);
-    let seeds = overlap.seeds;
-    let along = tiles * select(
-        vec4f(overlap.places_ab.xz, overlap.places_cd.xz),
-        vec4f(overlap.places_ab.yw, overlap.places_cd.yw),
-        field == 1u,
-    );
-    let sum = patch_stroke(weights.x, seeds.x, rows.x, along.x, field, row, octave, variety)
-        + patch_stroke(weights.y, seeds.y, rows.y, along.y, field, row, octave, variety)
-        + patch_stroke(weights.z, seeds.z, rows.z, along.z, field, row, octave, variety)
-        + patch_stroke(weights.w, seeds.w, rows.w, along.w, field, row, octave, variety);
+    var left = overlap_weights(overlap.behind);
+    var sum = vec3f(0.0);
+    loop {
+        let i = heaviest(left);
+        let place = place_of(overlap, i);
+        let along = tiles * select(place.x, place.y, field == 1u);
+        sum += patch_stroke(left[i], overlap.seeds[i], rows[i], along, field, row, octave, variety);
+        left = without(left, i);
+        if all(left <= vec4f(0.0)) {
+            break;
+        }
+    }
     return Stroke(sum.x / max(sum.z, 1e-12), sum.y);
 }

@@ -83,26 +83,15 @@ pub fn painted_ink(under: f64, alpha: f64, ink: impl Fn() -> f64) -> f64 {
     if alpha <= 0.0 { under } else { mix(under, ink(), alpha.min(1.0)) }
 }
 
-/// Four lapped textures, painted one over the other and over what lies under them.
-pub fn overlapped_ink(
-    b: &Bindings<'_>,
-    under: f64,
-    overlap: &Overlap,
-    tiles_per_px: f64,
-    d: f64,
-    pattern_ink: PatternInk<'_>,
-) -> f64 {
-    let painted = |under, i: usize| {
-        let place = tile_uv(b.material, overlap.places[i]);
-        painted_ink(under, overlap.behind[i], || pattern_ink(place, tiles_per_px, d))
-    };
-    (0..OVERLAPS).fold(under, painted)
-}
-
 /// Lapped textures, painted one over the other.
 pub fn lapped_ink(b: &Bindings<'_>, lapped: &Lapped, tiles_per_px: f64, d: f64, pattern_ink: PatternInk<'_>) -> f64 {
-    let ink = overlapped_ink(b, 0.0, &lapped.first, tiles_per_px, d, pattern_ink);
-    overlapped_ink(b, ink, &lapped.then, tiles_per_px, d, pattern_ink)
+    [&lapped.first, &lapped.then].into_iter().flat_map(|of| (0..OVERLAPS).map(move |i| (of, i))).fold(
+        0.0,
+        |under, (overlap, i)| {
+            let place = tile_uv(b.material, overlap.places[i]);
+            painted_ink(under, overlap.behind[i], || pattern_ink(place, tiles_per_px, d))
+        },
+    )
 }
 
 /// Ink of whatever lies on the surface at one fragment of a quad. `of_pattern` gives the ink of pattern `i` of the

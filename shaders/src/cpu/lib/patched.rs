@@ -86,6 +86,17 @@ pub fn lapped_of(input: &FragmentIn) -> Lapped {
     Lapped { first: input.overlap, then: input.over }
 }
 
+/// The same without the one that is painted first.
+pub fn stepped(lapped: &Lapped) -> Lapped {
+    let Lapped { first, then } = lapped;
+    let next = |here: &Overlap, place: DVec2, alpha: f64| Overlap {
+        places: [here.places[1], here.places[2], here.places[3], place],
+        behind: DVec4::new(here.behind.y, here.behind.z, here.behind.w, alpha),
+        seeds: here.seeds,
+    };
+    Lapped { first: next(first, then.places[0], then.behind.x), then: next(then, DVec2::ZERO, 0.0) }
+}
+
 /// What a fragment gets of the patches that overlap there.
 pub fn overlap_of(input: &FragmentIn) -> &Overlap {
     &input.overlap

@@ -86,6 +86,22 @@ pub fn turned_uv(material: &Material, place: DVec2, turn: DVec4) -> DVec2 {
     tile_uv(material, turn.truncate().truncate() + DVec2::from_angle(turn.z).rotate(place))
 }
 
+/// Which of four weights is the greatest, the first of equals.
+pub fn heaviest(weights: DVec4) -> usize {
+    (1..OVERLAPS).fold(0, |best, i| if weights[i] > weights[best] { i } else { best })
+}
+
+/// Four weights but for one, which becomes 0.
+pub fn without(mut weights: DVec4, i: usize) -> DVec4 {
+    weights[i] = 0.0;
+    weights
+}
+
+/// The place of one of the patches.
+pub fn place_of(overlap: &Overlap, i: usize) -> DVec2 {
+    overlap.places[i]
+}
+
 /// Copies that are drawn of a patch.
 pub fn copies(follow: Follow) -> usize {
     if follow == Follow::Light { TURNS } else { 1 }

@@ -3,13 +3,15 @@
 use glam::{DVec2, DVec3, DVec4};
 use tam_shaders::Pass;
 use tam_shaders::cpu::lib::barycentric::corner_weights;
-use tam_shaders::cpu::lib::blend::{lapped_ink, overlapped_ink, painted_ink, patch_ink, patches_ink, surface_ink};
+use tam_shaders::cpu::lib::blend::{lapped_ink, painted_ink, patch_ink, patches_ink, surface_ink};
 use tam_shaders::cpu::lib::material::tile_uv;
 use tam_shaders::cpu::lib::patched::{
     Lapped, lapped_of, lapped_vertex, no_overlap, patched, patched_corner, patched_face, patched_point,
-    patched_turning, patched_uv, patched_vertex,
+    patched_turning, patched_uv, patched_vertex, stepped,
 };
-use tam_shaders::cpu::lib::patches::{NO_SEED, Overlap, overlap_weights, seed_turn, turned_uv};
+use tam_shaders::cpu::lib::patches::{
+    NO_SEED, Overlap, heaviest, overlap_weights, place_of, seed_turn, turned_uv, without,
+};
 use tam_shaders::cpu::lib::surface::{FragmentIn, surface_vertex};
 use tam_shaders::cpu::{Bindings, Blend, Follow, Form, Mapping, Options, Quad, fine_tone, six_way};
 
@@ -205,18 +207,34 @@ pub(crate) fn rows() -> Vec<Row> {
                 one(painted_ink(case[1].y, 1.4 * case[1].x - 0.2, ink))
             })
             .within(2.0 * SAMPLED, 0.0),
+        row("heaviest", Pass::FineTone, "vec4f(f32(heaviest(case_overlap(u32(d.z)).behind)), 0.0, 0.0, 0.0)", at_a_corner)
+            .twin(|b, case| one(heaviest(overlap(b, case).behind) as f64))
+            .within(1e-30, 0.0),
+        row("without", Pass::FineTone, "without(case_overlap(u32(d.z)).behind, u32(d.w) % 4u)", at_a_corner)
+            .twin(|b, case| without(overlap(b, case).behind, case[3].w as usize % 4))
+            .within(4.0 * U, 0.0),
         row(
-            "overlapped_ink",
+            "place_of",
             Pass::FineTone,
-            "vec4f(overlapped_ink(b.x, case_overlap(u32(d.z)), map_scale(c.z), a.w), 0.0, 0.0, 0.0)",
+            "vec4f(place_of(case_overlap(u32(d.z)), u32(d.w) % 4u), 0.0, 0.0)",
+            at_a_corner,
+        )
+        .twin(|b, case| two(place_of(&overlap(b, case), case[3].w as usize % 4)))
+        .within(4.0 * U, 0.0),
+        row(
+            "stepped",
+            Pass::FineTone,
+            "stepped(Lapped(case_overlap(u32(d.z)), case_overlap(u32(d.w)))).first.places_cd + \
+             stepped(Lapped(case_overlap(u32(d.z)), case_overlap(u32(d.w)))).then.behind",
             at_a_corner,
         )
         .twin(|b, case| {
-            let ink = |uv, tiles_per_px, d| fine_tone::pattern_ink(b, uv, tiles_per_px, d);
-            one(overlapped_ink(b, case[1].x, &overlap(b, case), case[2].z, case[0].w, &ink))
+            let then = Corner::new(case[3].w as usize).overlap(b.options);
+            let Lapped { first, then } = stepped(&Lapped { first: overlap(b, case), then });
+            let [.., c, d] = first.places;
+            DVec4::new(c.x, c.y, d.x, d.y) + then.behind
         })
-        .in_options([with(Mapping::Lapped, Blend::Union)])
-        .within(2.0 * SAMPLED, 0.0),
+        .within(8.0 * U, 0.0),
         row(
             "lapped_ink",
             Pass::FineTone,
