@@ -1,4 +1,4 @@
-//! Frames: no pixel without a number, the same frame twice, the same with and without primitive indices, and small
+//! Frames: no pixel without a number, the same frame twice, a mesh in parts as in one, and small
 //! golden pictures.
 
 use std::path::Path;
@@ -145,6 +145,35 @@ fn every_place_for_the_frames_draws_the_same_picture() {
         let differing = difference(&fetched, &drawn);
         // The normals of the vertex forms are rounded to 32 bits.
         assert!(differing < 2e-3, "{form:?}: {differing}");
+    }
+}
+
+#[test]
+fn what_corners_carry_moves_with_the_mesh() {
+    let (mesh, scene) = view(Sample::Teapot, 2000);
+    let mut moved = mesh.clone();
+    tam_viewer::mesh::deform::Deform::Twist.apply(0.3, &mesh.positions, &mut moved.positions);
+    let mut normals = Vec::new();
+    moved.normals_of(&moved.positions, &mut normals);
+    moved.normals = normals;
+    let mut stage = Stage::new("fine-pen", 96);
+    let plain = RenderParams { silhouettes: None, ..RenderParams::default() };
+    for params in [
+        RenderParams { mapping: Mapping::Patches, ..plain },
+        RenderParams { mapping: Mapping::Lapped, ..plain },
+        RenderParams { method: Method::Stripes, ..plain },
+        RenderParams { method: Method::Stripes, variety: 0.7, ..plain },
+    ] {
+        let surface = surface_for(&params, &mesh);
+        let mut updated = stage.upload(&params, &mesh, surface.as_ref());
+        let rest = stage.draw_uploaded(&scene, &params, &updated);
+        updated.update(&stage.renderer.gpu, &moved.positions, &moved.normals);
+        let drawn = stage.draw_uploaded(&scene, &params, &updated);
+        let uploaded = stage.upload(&params, &moved, surface.as_ref());
+        let expected = stage.draw_uploaded(&scene, &params, &uploaded);
+        let what = format!("{} {} {}", params.method.name(), params.mapping.name(), params.variety);
+        assert!(difference(&drawn, &expected) < 1e-6, "{what}");
+        assert!(difference(&drawn, &rest) > 0.01, "{what} does not move");
     }
 }
 

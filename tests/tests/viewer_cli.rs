@@ -103,8 +103,6 @@ fn every_option_changes_the_picture() {
     }
     ok(folder.path(), &[&base[..], &["again.png"]].concat());
     assert_eq!(fs::read(folder.path().join("again.png")).expect("a picture"), reference, "a frame is not repeatable");
-    ok(folder.path(), &[&base[..], &["flat.png", "--flat-face"]].concat());
-    assert!(fs::read(folder.path().join("flat.png")).expect("a picture") == reference, "the fallback differs");
 }
 
 #[test]

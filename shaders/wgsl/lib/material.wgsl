@@ -19,7 +19,7 @@ struct Material {
     level_count: f32,
     level_bias: f32,
     column_count: u32,
-    // First triangle of the draw: primitive indices count from 0 in each draw.
+    // First triangle of the draw: vertices that are pulled are counted from 0 in each draw.
     first_face: u32,
     // Literal slope of the stroke-map threshold.
     slope: f32,
