@@ -137,7 +137,7 @@ struct Carried {
 
 /// What is asked for.
 #[derive(Clone, Copy)]
-struct From<'a> {
+struct Asked<'a> {
     patches: Option<&'a Patches>,
     seeds: bool,
     stripes: Option<&'a Stripes>,
@@ -151,7 +151,7 @@ impl Corners {
     pub fn of_patches(triangles: &[[u32; 3]], patches: &Patches) -> Self {
         assert_eq!(triangles.len() + 1, patches.starts.len(), "patches of this mesh");
         let seeds = patches.follow == Follow::Light;
-        Self::new(triangles, From { patches: Some(patches), seeds, stripes: None })
+        Self::new(triangles, Asked { patches: Some(patches), seeds, stripes: None })
     }
 
     /// Those of lines, and with patches on which rows are known those of lines made of strokes.
@@ -161,10 +161,10 @@ impl Corners {
     pub fn of_stripes(triangles: &[[u32; 3]], stripes: &Stripes, patches: Option<&Patches>) -> Self {
         assert_eq!(triangles.len(), stripes.along.len(), "stripes of this mesh");
         let patches = patches.filter(|patches| !patches.rows.is_empty() && patches.follow == Follow::Surface);
-        Self::new(triangles, From { patches, seeds: patches.is_some(), stripes: Some(stripes) })
+        Self::new(triangles, Asked { patches, seeds: patches.is_some(), stripes: Some(stripes) })
     }
 
-    fn new(triangles: &[[u32; 3]], from: From<'_>) -> Self {
+    fn new(triangles: &[[u32; 3]], from: Asked<'_>) -> Self {
         let vertices = triangles.as_flattened().iter().max().map_or(0, |last| *last as usize + 1);
         let parted: Vec<u32> = match from.stripes {
             Some(stripes) => {
@@ -231,7 +231,7 @@ impl Corners {
         this
     }
 
-    fn reserve(&mut self, corners: usize, from: &From<'_>) {
+    fn reserve(&mut self, corners: usize, from: &Asked<'_>) {
         let asked = |is_asked: bool| if is_asked { corners } else { 0 };
         self.stands.reserve(corners);
         self.patches.reserve(asked(from.patches.is_some()));
@@ -241,7 +241,7 @@ impl Corners {
         self.rows.reserve(asked(from.has_rows()));
     }
 
-    fn push(&mut self, stand: Stand, carried: &Carried, from: &From<'_>) {
+    fn push(&mut self, stand: Stand, carried: &Carried, from: &Asked<'_>) {
         self.stands.push(stand);
         if from.patches.is_some() {
             self.patches.push(carried.patches);
@@ -275,7 +275,7 @@ impl Corners {
     }
 }
 
-impl From<'_> {
+impl Asked<'_> {
     fn is_lapped(&self) -> bool {
         self.patches.is_some_and(|patches| patches.lapped)
     }
