@@ -1,6 +1,6 @@
 #![no_main]
 
-#[path = "../../src/mesh/invariants.rs"]
+#[path = "../../../viewer/src/mesh/invariants.rs"]
 mod invariants;
 
 use tam_viewer::mesh::{Kind, Mesh, NONE, prepare, read_raw};
