@@ -177,23 +177,46 @@ fn places_that_cannot_be_written_are_reported() {
     refuse(&folder, &["turntable", "--mesh", "cube", "--size", "16", "--out", "file/"], 1, &["file"]);
 }
 
+/// The run of a command that is interrupted after this time.
+#[cfg(unix)]
+fn interrupted(folder: &std::path::Path, args: &[&str], after_ms: u64) -> Run {
+    let mut command = tam_viewer_in(folder);
+    command.args(args).stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
+    let child = command.spawn().expect("the command runs");
+    std::thread::sleep(std::time::Duration::from_millis(after_ms));
+    let pid = child.id().to_string();
+    let sent = std::process::Command::new("kill").args(["-INT", &pid]).status().expect("kill runs");
+    assert!(sent.success());
+    child.wait_with_output().expect("an end").into()
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_turntable_leaves_nothing() {
     let folder = tempdir().expect("a folder");
     for out in ["x.png", "x.gif", "frames/"] {
         let args = ["turntable", "--mesh", "cube", "--size", "256", "--frames", "5000", "--out", out];
-        let mut command = tam_viewer_in(folder.path());
-        command.args(args).stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
-        let child = command.spawn().expect("the command runs");
         // Long enough to have drawn something on most machines; any moment will do.
-        std::thread::sleep(std::time::Duration::from_millis(2500));
-        let pid = child.id().to_string();
-        let sent = std::process::Command::new("kill").args(["-INT", &pid]).status().expect("kill runs");
-        assert!(sent.success());
-        let run: Run = child.wait_with_output().expect("an end").into();
+        let run = interrupted(folder.path(), &args, 2500);
         assert_eq!(run.status, 130, "{run:?}");
         assert!(run.stderr.contains("nothing was written"), "{run:?}");
         assert_eq!(listing(folder.path()), Vec::<String>::new(), "{out}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn preparations_are_interrupted_in_the_midst_of_any_stage() {
+    let folder = tempdir().expect("a folder");
+    let args =
+        ["render", "--mesh", "head", "--triangles", "600000", "--mapping", "patches", "--surface", "kept.surface"];
+    // The mesh is made, then its surface; whichever it is.
+    for (number, after_ms) in [300, 900, 1600, 2400].into_iter().enumerate() {
+        let json: &[&str] = if number % 2 == 0 { &[] } else { &["--json"] };
+        let run = interrupted(folder.path(), &[&args, json].concat(), after_ms);
+        assert_eq!(run.status, 130, "after {after_ms} ms: {run:?}");
+        let told = if json.is_empty() { &run.stderr } else { &run.stdout };
+        assert_eq!(told.matches("interrupted; nothing was written").count(), 1, "after {after_ms} ms: {run:?}");
+        assert_eq!(listing(folder.path()), Vec::<String>::new(), "after {after_ms} ms");
     }
 }

@@ -13,7 +13,7 @@ mod watch;
 
 use std::process::ExitCode;
 use tam_gen::command::schema::schema;
-use tam_gen::command::{Failure, Output, in_pool, refused_arguments, start_log};
+use tam_gen::command::{Failure, Output, in_pool, interrupt, refused_arguments, start_log};
 
 use clap::Parser;
 use tam_gen::preset;
@@ -50,7 +50,7 @@ pub(crate) fn run() -> ExitCode {
         Ok(outcome) => outcome.into(),
         Err(failure) => {
             output.failure(&failure);
-            ExitCode::from(if matches!(failure, Failure::Interrupted) { 130 } else { 2 })
+            ExitCode::from(if matches!(failure, Failure::Interrupted) { interrupt::STATUS } else { 2 })
         }
     }
 }

@@ -25,7 +25,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 use tam_gen::command::schema::schema;
-use tam_gen::command::{Failure, Output, in_pool, refused_arguments, shell, start_log};
+use tam_gen::command::{Failure, Output, in_pool, interrupt, refused_arguments, shell, start_log};
 
 use args::{Cli, Command};
 use tam_viewer::scene_file;
@@ -55,7 +55,7 @@ pub(crate) fn run() -> ExitCode {
         Err(failure) => {
             output.failure(&failure);
             ExitCode::from(match failure {
-                Failure::Interrupted => 130,
+                Failure::Interrupted => interrupt::STATUS,
                 Failure::Usage { .. } => 2,
                 _ => 1,
             })

@@ -41,8 +41,7 @@ impl Objects {
         }
         let mut loaded = Vec::with_capacity(entries.len());
         for entry in &entries {
-            interrupt::stop_if_happened()?;
-            let mesh = source::mesh(entry)?;
+            let mesh = interrupt::at_once(output, || source::mesh(entry))??;
             if !output.json {
                 mesh.report.notes().iter().for_each(|note| output.remark(&format!("note: {note}")));
             }

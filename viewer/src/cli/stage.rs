@@ -409,11 +409,12 @@ fn upload(
         let built = view.surface.build(Wanted { mesh: &mesh, needs, field, params, look }, output)?;
         let (cut, surface) = built.unzip();
         let mesh = cut.flatten().unwrap_or_else(|| mesh.into_owned());
-        let mut gpu = renderer.mesh(&mesh).map_err(report::gpu)?;
-        if let Some(surface) = &surface {
-            renderer.attach(&mut gpu, surface).map_err(report::gpu)?;
-        }
-        uploads.push(Upload { mesh, gpu });
+        let gpu = interrupt::at_once(output, || {
+            let mut gpu = renderer.mesh(&mesh)?;
+            surface.as_ref().map_or(Ok(()), |surface| renderer.attach(&mut gpu, surface))?;
+            Ok(gpu)
+        })?;
+        uploads.push(Upload { mesh, gpu: gpu.map_err(report::gpu)? });
     }
     Ok(uploads)
 }

@@ -135,7 +135,7 @@ impl SurfaceArgs {
         let lines_per_unit = look.stripes.unwrap_or(StripeOptions::default().lines_per_unit);
         let planar = look.planar.unwrap_or(false);
         let Some(options) = needs.options(field, &params, planar, lines_per_unit) else { return Ok(None) };
-        let cut = options.cut(mesh);
+        let cut = interrupt::at_once(output, || options.cut(mesh))?;
         if let Some(cut) = cut.as_ref().filter(|_| !output.json) {
             let triangles = cut.mesh.triangles.len();
             output.remark(&format!("note: cut into {triangles} triangles, so that patches bend"));
@@ -168,7 +168,8 @@ impl SurfaceArgs {
         let progress = Progress::new("field and patches", output.quiet || output.json);
         let done = |part: f32| progress.set(part);
         let job = Job { progress: Some(&done), cancel: Some(interrupt::flag()), measure: None };
-        let surface = Surface::new_with(mesh, options, &job).map_err(report::surface)?;
+        let surface =
+            interrupt::at_once(output, || Surface::new_with(mesh, options, &job))?.map_err(report::surface)?;
         if let Some(path) = &self.surface {
             store::write(path, mesh, options, &surface).map_err(|error| report::store(path, &error))?;
         }
