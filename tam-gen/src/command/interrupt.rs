@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use super::{Failure, Output};
+use super::{Failure, Output, progress};
 
 /// Exit status of a command that was interrupted.
 pub const STATUS: u8 = 130;
@@ -29,6 +29,7 @@ pub fn catch() -> &'static AtomicBool {
         std::thread::sleep(PATIENCE);
         // As long as it is locked no such work ends, and nothing is written by what comes after it.
         if let Some(output) = at_once_now().last() {
+            progress::clear();
             output.failure(&Failure::Interrupted);
             exit(STATUS.into());
         }

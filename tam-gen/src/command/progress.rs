@@ -1,16 +1,19 @@
 //! A bar for work that takes longer than a second, on a terminal.
 
 use std::io::IsTerminal;
-use std::sync::Once;
+use std::sync::{Mutex, Once, PoisonError};
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, WeakProgressBar};
 
 /// How long work may take without a bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Steps of the bar.
 const STEPS: u64 = 1000;
+
+/// Bars that were shown, for an end at which nothing is dropped.
+static SHOWN: Mutex<Vec<WeakProgressBar>> = Mutex::new(Vec::new());
 
 /// A bar that stays hidden until the work turns out to be long.
 pub struct Progress {
@@ -40,6 +43,7 @@ impl Progress {
                 self.bar.set_message(self.label);
             }
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
+            SHOWN.lock().unwrap_or_else(PoisonError::into_inner).push(self.bar.downgrade());
         });
         let step = (part.clamp(0.0, 1.0) * STEPS as f32) as u64;
         if step > self.bar.position() {
@@ -51,5 +55,12 @@ impl Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// Takes all bars off the terminal.
+pub(super) fn clear() {
+    for bar in SHOWN.lock().unwrap_or_else(PoisonError::into_inner).iter().filter_map(WeakProgressBar::upgrade) {
+        bar.finish_and_clear();
     }
 }

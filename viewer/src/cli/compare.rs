@@ -85,7 +85,6 @@ pub(super) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
         if !methods.contains(&params.method) {
             continue;
         }
-        interrupt::stop_if_happened()?;
         stage.draw(&scene, |own, mesh| as_in(own, params, mesh), &timer)?;
         let time = median(times);
         let ratio = time.as_secs_f64() / phong.as_secs_f64().max(1e-9);
@@ -171,7 +170,6 @@ fn measure(
     for round in 0..WARM_UP + rounds {
         progress.set(round as f32 / (WARM_UP + rounds) as f32);
         for (params, times) in variants.iter().zip(&mut times) {
-            interrupt::stop_if_happened()?;
             let time = stage.draw(&scene, |own, mesh| as_in(own, params, mesh), &timer)?;
             if round >= WARM_UP {
                 times.push(time);

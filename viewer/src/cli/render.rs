@@ -71,15 +71,13 @@ pub(super) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let mut stage = Stage::open(&args.view, Ways::Own(args.method), args.size, args.samples, true, output)?;
     let timer = FrameTimer::new(&stage.renderer.gpu);
     let scene = stage.scene.clone();
-    let drawn = interrupt::at_once(output, || {
-        let mut frame = stage.draw(&scene, |own, _| *own, &timer)?;
-        // The first frame makes pipelines and uploads the map; the second is what a frame takes. Nobody waits long for that.
-        if frame < DRAWN_TWICE {
-            frame = stage.draw(&scene, |own, _| *own, &timer)?;
-        }
-        Ok::<_, Failure>((frame, stage.picture()?))
-    });
-    let (frame, picture) = drawn??;
+    let mut frame = stage.draw(&scene, |own, _| *own, &timer)?;
+    // The first frame makes pipelines and uploads the map; the second is what a frame takes. Nobody waits long for that.
+    if frame < DRAWN_TWICE {
+        frame = stage.draw(&scene, |own, _| *own, &timer)?;
+    }
+    let picture = stage.picture()?;
+    interrupt::stop_if_happened()?;
     files::write_picture(&path, &picture, args.force)?;
 
     let [width, height] = args.size;

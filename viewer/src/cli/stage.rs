@@ -48,6 +48,7 @@ pub(super) struct Stage {
     pub(super) maps: Vec<GpuMap>,
     pub(super) scene: Scene,
     pub(super) target: Target,
+    output: Output,
 }
 
 /// A mesh with a surface, on the device.
@@ -173,31 +174,33 @@ impl Stage {
         }
         let uploads = upload(view, &renderer, &objects, groups, output)?;
         interrupt::stop_if_happened()?;
-        let mut stage = Self { renderer, objects, uploads, drawn, maps, scene, target };
+        let mut stage = Self { renderer, objects, uploads, drawn, maps, scene, target, output: *output };
         stage.place_camera();
         Ok(stage)
     }
 
-    /// Draws a scene, each object in its look as `change` has it; the time it took on the device.
+    /// Draws a scene, each object in its look as `change` has it; the time it took on the device. An interruption ends it on
+    /// the spot: nothing may be half-written meanwhile.
     pub(super) fn draw(
         &mut self,
         scene: &Scene,
         change: impl Fn(&RenderParams, &Mesh) -> RenderParams,
         timer: &FrameTimer,
     ) -> Result<Duration, Failure> {
-        let Self { renderer, uploads, drawn, maps, target, .. } = self;
+        let Self { renderer, uploads, drawn, maps, target, output, .. } = self;
         let maps: Vec<&GpuMap> = maps.iter().collect();
         let looks: Vec<RenderParams> =
             drawn.iter().map(|drawn| change(&drawn.params, &uploads[drawn.upload].mesh)).collect();
         let objects = placed(uploads, drawn, &looks);
-        timer
-            .time(renderer, |renderer, timer| -> Result<(), RenderError> {
+        let drawn = interrupt::at_once(output, || {
+            timer.time(renderer, |renderer, timer| -> Result<(), RenderError> {
                 renderer.render_objects(scene, &objects, &maps, target, Some(timer))
             })
-            .map_err(report::render)
+        });
+        drawn?.map_err(report::render)
     }
 
-    /// The same in their own looks, untimed.
+    /// The same in their own looks, untimed, and never left in the middle.
     pub(super) fn draw_plainly(&mut self, scene: &Scene) -> Result<(), Failure> {
         let Self { renderer, uploads, drawn, maps, target, .. } = self;
         let maps: Vec<&GpuMap> = maps.iter().collect();
